@@ -1,0 +1,23 @@
+#pragma once
+
+#include <ros/time.h>
+
+#include <optional>
+
+namespace tws_runtime {
+
+/// Something that makes messages in order of data time: a simulator, a bag, an ASTERIX file. Of several sources the one
+/// with the earliest next time goes first. Only the runtime paces them and publishes /clock; a source never waits and
+/// never asks a clock.
+class Source {
+ public:
+  virtual ~Source() = default;
+  /// Data time of what step() will publish next; nothing: the source has ended. Never goes back.
+  virtual std::optional<ros::Time> nextTime() const = 0;
+  /// Publishes everything that happens at nextTime().
+  virtual void step() = 0;
+  /// Data time at which the source will end, for progress; nothing: unknown.
+  virtual std::optional<ros::Time> endTime() const { return std::nullopt; }
+};
+
+}  // namespace tws_runtime
