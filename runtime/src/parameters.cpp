@@ -1,0 +1,248 @@
+#include <tws_runtime/parameters.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <numeric>
+#include <sstream>
+
+namespace tws_runtime {
+namespace {
+
+std::string join(const std::vector<std::string>& words) {
+  std::string line;
+  for (const std::string& word : words) line += (line.empty() ? "" : ", ") + word;
+  return line;
+}
+
+/// Levenshtein distance: the fewest letters to insert, drop or change.
+std::size_t editDistance(const std::string& a, const std::string& b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t changed = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
+      diagonal = row[j];
+      row[j] = std::min({row[j] + 1, row[j - 1] + 1, changed});
+    }
+  }
+  return row[b.size()];
+}
+
+/// What to say of an unknown key: the nearest known one if it may be a slip of the pen, else all of them.
+std::string suggestion(const std::string& key, const std::set<std::string>& known) {
+  if (known.empty()) return "no keys are known here";
+  const auto nearer = [&](const std::string& a, const std::string& b) {
+    return editDistance(key, a) < editDistance(key, b);
+  };
+  const std::string nearest = *std::min_element(known.begin(), known.end(), nearer);
+  if (2 * editDistance(key, nearest) <= std::max(key.size(), nearest.size())) return "did you mean '" + nearest + "'?";
+  return "known keys: " + join({known.begin(), known.end()});
+}
+
+std::string shown(const YAML::Node& node) {
+  if (node.IsScalar()) return "'" + node.Scalar() + "'";
+  return node.IsSequence() ? "a list" : node.IsMap() ? "a map" : "nothing";
+}
+
+template <class Number>
+std::string rangeText(Number least, Number greatest) {
+  std::ostringstream text;
+  text.precision(10);
+  text << "[" << least << ", " << greatest << "]";
+  return text.str();
+}
+
+bool readNumber(const YAML::Node& node, double& value) {
+  return node.IsScalar() && YAML::convert<double>::decode(node, value) && !std::isnan(value);
+}
+
+/// Whole numbers may be written 6, 6.0 or 1e6.
+bool readInteger(const YAML::Node& node, long& value) {
+  if (!node.IsScalar()) return false;
+  if (YAML::convert<long>::decode(node, value)) return true;
+  constexpr double kExact = 9007199254740992.0;  // 2^53
+  double number = 0.0;
+  if (!readNumber(node, number) || number != std::floor(number) || std::abs(number) > kExact) return false;
+  value = static_cast<long>(number);
+  return true;
+}
+
+void refuseDoubleKeys(const YAML::Node& node, const std::string& path) {
+  std::set<std::string> seen;
+  for (const auto& entry : node) {
+    const YAML::Node key = node.IsMap() ? entry.first : YAML::Node();
+    if (key.IsScalar() && !seen.insert(key.Scalar()).second) {
+      const YAML::Mark mark = key.Mark();
+      throw ParameterError(path + ":" + std::to_string(mark.line + 1) + ":" + std::to_string(mark.column + 1) +
+                           ": key '" + key.Scalar() + "' stands twice in this map");
+    }
+    refuseDoubleKeys(node.IsMap() ? entry.second : YAML::Node(entry), path);
+  }
+}
+
+}  // namespace
+
+ParameterReader::ParameterReader(YAML::Node tree, std::string where)
+    : ParameterReader(std::move(tree), std::move(where), "") {}
+
+ParameterReader::ParameterReader(YAML::Node tree, std::string where, std::string path)
+    : tree_(std::move(tree)), where_(std::move(where)), path_(std::move(path)) {
+  const bool empty = !tree_.IsDefined() || tree_.IsNull();
+  if (!empty && !tree_.IsMap()) failAt(tree_, path_, "expected a map, found " + shown(tree_));
+}
+
+bool ParameterReader::has(const std::string& key) const {
+  const YAML::Node& tree = tree_;
+  return tree.IsDefined() && tree.IsMap() && tree[key].IsDefined();
+}
+
+std::vector<std::string> ParameterReader::keys() const {
+  std::vector<std::string> keys;
+  if (tree_.IsDefined() && tree_.IsMap())
+    for (const auto& entry : tree_) keys.push_back(entry.first.Scalar());
+  return keys;
+}
+
+void ParameterReader::number(const std::string& key, double& value, double least, double greatest) {
+  const YAML::Node node = find(key);
+  if (!node.IsDefined()) return;
+  double read = 0.0;
+  if (!readNumber(node, read)) failAt(node, pathTo(key), "expected a number, found " + shown(node));
+  if (read < least || read > greatest)
+    failAt(node, pathTo(key), node.Scalar() + " is not in " + rangeText(least, greatest));
+  value = read;
+}
+
+void ParameterReader::integer(const std::string& key, long& value, long least, long greatest) {
+  const YAML::Node node = find(key);
+  if (!node.IsDefined()) return;
+  long read = 0;
+  if (!readInteger(node, read)) failAt(node, pathTo(key), "expected a whole number, found " + shown(node));
+  if (read < least || read > greatest)
+    failAt(node, pathTo(key), node.Scalar() + " is not in " + rangeText(least, greatest));
+  value = read;
+}
+
+void ParameterReader::flag(const std::string& key, bool& value) {
+  const YAML::Node node = find(key);
+  if (!node.IsDefined()) return;
+  if (!node.IsScalar() || !YAML::convert<bool>::decode(node, value))
+    failAt(node, pathTo(key), "expected true or false, found " + shown(node));
+}
+
+void ParameterReader::text(const std::string& key, std::string& value) {
+  const YAML::Node node = find(key);
+  if (!node.IsDefined()) return;
+  if (!node.IsScalar()) failAt(node, pathTo(key), "expected text, found " + shown(node));
+  value = node.Scalar();
+}
+
+void ParameterReader::choice(const std::string& key, std::string& value, const std::vector<std::string>& allowed) {
+  std::string read = value;
+  text(key, read);
+  if (has(key) && std::find(allowed.begin(), allowed.end(), read) == allowed.end())
+    fail(key, "'" + read + "' is not one of " + join(allowed));
+  value = read;
+}
+
+void ParameterReader::numbers(const std::string& key, std::vector<double>& values, double least, double greatest) {
+  const YAML::Node node = find(key);
+  if (!node.IsDefined()) return;
+  if (!node.IsSequence()) failAt(node, pathTo(key), "expected a list of numbers, found " + shown(node));
+  std::vector<double> read(node.size());
+  for (std::size_t i = 0; i < read.size(); ++i) {
+    const std::string path = pathTo(key) + "[" + std::to_string(i) + "]";
+    if (!readNumber(node[i], read[i])) failAt(node[i], path, "expected a number, found " + shown(node[i]));
+    if (read[i] < least || read[i] > greatest)
+      failAt(node[i], path, node[i].Scalar() + " is not in " + rangeText(least, greatest));
+  }
+  values = read;
+}
+
+void ParameterReader::texts(const std::string& key, std::vector<std::string>& values) {
+  const YAML::Node node = find(key);
+  if (!node.IsDefined()) return;
+  if (!node.IsSequence()) failAt(node, pathTo(key), "expected a list of texts, found " + shown(node));
+  std::vector<std::string> read;
+  for (const YAML::Node& element : node) {
+    if (!element.IsScalar()) failAt(element, pathTo(key), "expected text, found " + shown(element));
+    read.push_back(element.Scalar());
+  }
+  values = read;
+}
+
+void ParameterReader::require(const std::string& key) const {
+  if (!has(key)) failAt(tree_, pathTo(key), "is required and missing");
+}
+
+ParameterReader ParameterReader::map(const std::string& key) { return {find(key), where_, pathTo(key)}; }
+
+std::vector<ParameterReader> ParameterReader::list(const std::string& key) {
+  const YAML::Node node = find(key);
+  std::vector<ParameterReader> readers;
+  if (!node.IsDefined()) return readers;
+  if (!node.IsSequence()) failAt(node, pathTo(key), "expected a list of maps, found " + shown(node));
+  for (std::size_t i = 0; i < node.size(); ++i)
+    readers.push_back({node[i], where_, pathTo(key) + "[" + std::to_string(i) + "]"});
+  return readers;
+}
+
+void ParameterReader::done() const {
+  if (!tree_.IsDefined() || !tree_.IsMap()) return;
+  for (const auto& entry : tree_) {
+    const std::string key = entry.first.Scalar();
+    if (known_.count(key) == 0) failAt(entry.first, pathTo(key), "is not a known key; " + suggestion(key, known_));
+  }
+}
+
+void ParameterReader::fail(const std::string& key, const std::string& reason) const {
+  const YAML::Node& tree = tree_;
+  failAt(has(key) ? tree[key] : tree, pathTo(key), reason);
+}
+
+YAML::Node ParameterReader::find(const std::string& key) {
+  known_.insert(key);
+  const YAML::Node& tree = tree_;
+  return has(key) ? tree[key] : YAML::Node(YAML::NodeType::Undefined);
+}
+
+void ParameterReader::failAt(const YAML::Node& node, const std::string& path, const std::string& reason) const {
+  const YAML::Mark mark = node.IsDefined() ? node.Mark() : YAML::Mark::null_mark();
+  std::string line = where_;
+  if (!mark.is_null()) line += ":" + std::to_string(mark.line + 1) + ":" + std::to_string(mark.column + 1);
+  throw ParameterError(line + ": " + (path.empty() ? "" : path + ": ") + reason);
+}
+
+std::string ParameterReader::pathTo(const std::string& key) const { return path_.empty() ? key : path_ + "." + key; }
+
+YAML::Node loadParameterFile(const std::string& path) {
+  try {
+    const YAML::Node tree = YAML::LoadFile(path);
+    refuseDoubleKeys(tree, path);
+    return tree.IsNull() ? YAML::Node(YAML::NodeType::Map) : tree;
+  } catch (const YAML::BadFile&) {
+    throw ParameterError(path + ": cannot be read");
+  } catch (const YAML::Exception& error) {
+    throw ParameterError(path + ":" + std::to_string(error.mark.line + 1) + ":" +
+                         std::to_string(error.mark.column + 1) + ": " + error.msg);
+  }
+}
+
+YAML::Node mergeParameters(const YAML::Node& base, const YAML::Node& overriding) {
+  if (!overriding.IsDefined() || overriding.IsNull()) return base;
+  if (!base.IsDefined() || !base.IsMap() || !overriding.IsMap()) return overriding;
+  YAML::Node merged(YAML::NodeType::Map);
+  for (const auto& entry : base) {
+    const YAML::Node& other = overriding;
+    const YAML::Node replacement = other[entry.first.Scalar()];
+    merged[entry.first] = replacement.IsDefined() ? mergeParameters(entry.second, replacement) : entry.second;
+  }
+  for (const auto& entry : overriding)
+    if (!base[entry.first.Scalar()].IsDefined()) merged[entry.first] = entry.second;
+  return merged;
+}
+
+}  // namespace tws_runtime
