@@ -231,6 +231,14 @@ YAML::Node loadParameterFile(const std::string& path) {
   }
 }
 
+YAML::Node withoutRuntimeKeys(const YAML::Node& tree) {
+  if (!tree.IsDefined() || !tree.IsMap()) return tree;
+  YAML::Node kept(YAML::NodeType::Map);
+  for (const auto& entry : tree)
+    if (entry.first.Scalar() != "live") kept[entry.first] = entry.second;
+  return kept;
+}
+
 YAML::Node mergeParameters(const YAML::Node& base, const YAML::Node& overriding) {
   if (!overriding.IsDefined() || overriding.IsNull()) return base;
   if (!base.IsDefined() || !base.IsMap() || !overriding.IsMap()) return overriding;

@@ -71,6 +71,9 @@ class ParameterReader {
 /// YAML, or holds a key twice in one map. An empty file is an empty map.
 YAML::Node loadParameterFile(const std::string& path);
 
+/// The tree without the keys that are the runtime's own (`live`): what a node may see of its private parameters.
+YAML::Node withoutRuntimeKeys(const YAML::Node& tree);
+
 /// `base` with every key that `overriding` has replaced by it; maps are merged key by key, all else is replaced as a
 /// whole. Neither argument changes. Line numbers of the values stay.
 YAML::Node mergeParameters(const YAML::Node& base, const YAML::Node& overriding);

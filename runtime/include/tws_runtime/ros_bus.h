@@ -1,0 +1,51 @@
+#pragma once
+
+#include <ros/node_handle.h>
+#include <tws_runtime/bus.h>
+#include <tws_runtime/counters.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace tws_runtime {
+
+/// The Bus over roscpp. All queues are unbounded. One thread must serve the handle's callback queue: ros::spin(),
+/// runLive(), or a nodelet's single-threaded private handle.
+///
+/// Counters go to /diagnostics once a second of wall time: WARN when anything was counted with a reason since the last
+/// time.
+class RosBus : public Bus {
+ public:
+  /// `private_handle` gives the node's name, parameters and callback queue: ros::NodeHandle("~"), or
+  /// getPrivateNodeHandle() of a nodelet. ros::init must have been called.
+  explicit RosBus(const ros::NodeHandle& private_handle);
+  ~RosBus() override;
+
+  const std::string& name() const override;
+  YAML::Node parameters() const override;
+  const tf2::BufferCore& transforms() const override;
+  void publishStaticTransform(const geometry_msgs::TransformStamped& transform) override;
+  Counter& counter(const std::string& name) override;
+  ros::Time now() const override;
+  void everyData(double period_s, std::function<void(ros::Time)> handler) override;
+  void everyWall(double period_s, std::function<void()> handler) override;
+
+  /// The sub-tree `live` of the private parameters, which parameters() leaves out; see LiveOptions.
+  YAML::Node liveParameters() const;
+  /// How many subscribers this node's publisher of `topic` has; 0 when it does not publish there.
+  std::uint32_t subscribers(const std::string& topic) const;
+  std::vector<CounterReading> counters() const;
+
+ protected:
+  std::shared_ptr<Channel> openChannel(const std::string& topic, bool latched, const MessageType& type) override;
+  void openSubscription(const std::string& topic, const MessageType& type,
+                        std::function<void(const boost::shared_ptr<const void>&)> handler) override;
+  void openService(const std::string& service, const ServiceType& type) override;
+
+ private:
+  class Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace tws_runtime

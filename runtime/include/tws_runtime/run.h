@@ -1,0 +1,53 @@
+#pragma once
+
+#include <ros/duration.h>
+#include <ros/time.h>
+#include <tws_runtime/bus.h>
+#include <tws_runtime/source.h>
+
+#include <functional>
+#include <limits>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace tws_runtime {
+
+class LocalGraph;
+class RosBus;
+
+/// How runLive paces a source. A source node reads it from its private parameters under `live`, e.g. ~live/rate.
+struct LiveOptions {
+  double rate = 1.0;  ///< Data time over wall time, >= 0; 0: as fast as possible.
+  double duration = std::numeric_limits<double>::infinity();  ///< At most so much data time [s], > 0.
+  std::vector<std::string>
+      wait_for;                ///< Topics that must have a subscriber before the first step; named twice: two of them.
+  double wait_timeout = 10.0;  ///< Go on after so much wall time [s], >= 0, with a warning that names the topics.
+  double linger = 2.0;         ///< Wall time after the end [s], >= 0, so that the last messages reach everybody.
+};
+
+/// Reads and checks the keys rate, duration, wait_for, wait_timeout and linger. Throws ParameterError.
+LiveOptions readLiveOptions(const YAML::Node& tree, const std::string& where);
+
+/// Steps `source` in time with the wall clock and publishes /clock at each step and at least 50 times a second of wall
+/// time. Handlers, timers and services of the Bus are called in between. Returns when the source or the duration has
+/// ended, or ROS shuts down.
+void runLive(RosBus& bus, Source& source, const LiveOptions& options);
+
+/// Steps the sources of a graph as fast as possible, the one with the earliest next time first (of equal ones the first
+/// in the list), and drains the queue after each step. Ends when all have ended, when the next step lies more than
+/// `duration` after the first one, or when `goOn` (asked before each step) says false.
+void runOffline(LocalGraph& graph, const std::vector<Source*>& sources, ros::Duration duration = ros::DURATION_MAX,
+                const std::function<bool()>& goOn = {});
+
+/// Makes a node on its Bus. The pointer only keeps it alive.
+using NodeFactory = std::function<std::shared_ptr<void>(Bus& bus)>;
+using SourceFactory = std::function<std::unique_ptr<Source>(Bus& bus)>;
+
+/// The whole of a node's main(): runs it over roscpp until ROS shuts down. Returns the exit status: 0, 2 after a
+/// ParameterError, 1 after any other exception; the reason has gone to the standard error in one line.
+int runNode(int argc, char** argv, const std::string& name, const NodeFactory& makeNode);
+/// The same for a node that is a source: runs it by runLive with the options under ~live, and ends with it.
+int runSourceNode(int argc, char** argv, const std::string& name, const SourceFactory& makeSource);
+
+}  // namespace tws_runtime

@@ -1,0 +1,38 @@
+#include <tws_runtime/local_graph.h>
+#include <tws_runtime/run.h>
+
+#include <optional>
+
+namespace tws_runtime {
+namespace {
+
+/// The source to step next and when; null: all have ended.
+struct Next {
+  Source* source = nullptr;
+  ros::Time time;
+};
+
+Next earliest(const std::vector<Source*>& sources) {
+  Next next;
+  for (Source* source : sources) {
+    const std::optional<ros::Time> time = source->nextTime();
+    if (time && (!next.source || *time < next.time)) next = {source, *time};
+  }
+  return next;
+}
+
+}  // namespace
+
+void runOffline(LocalGraph& graph, const std::vector<Source*>& sources, ros::Duration duration,
+                const std::function<bool()>& goOn) {
+  const ros::Time start = earliest(sources).time;
+  for (Next next = earliest(sources); next.source; next = earliest(sources)) {
+    if (next.time > start && next.time - start > duration) break;
+    if (goOn && !goOn()) break;
+    graph.advanceTo(next.time);
+    next.source->step();
+    graph.drain();
+  }
+}
+
+}  // namespace tws_runtime
