@@ -1,0 +1,212 @@
+#include <tws_runtime/ros_bus.h>
+
+#include <diagnostic_updater/diagnostic_updater.h>
+#include <ros/ros.h>
+#include <rosgraph_msgs/Clock.h>
+#include <tf2_msgs/TFMessage.h>
+#include <tws_runtime/parameters.h>
+
+#include <map>
+#include <stdexcept>
+
+#include "any_message.h"
+#include "counter_set.h"
+#include "data_timers.h"
+#include "static_transforms.h"
+#include "topic_name.h"
+#include "xml_rpc_tree.h"
+
+namespace tws_runtime {
+namespace {
+
+class RosChannel : public Channel {
+ public:
+  RosChannel(ros::Publisher publisher, const MessageType& type) : publisher_(std::move(publisher)), type_(type) {}
+  void publish(const boost::shared_ptr<const void>& message) override {
+    publisher_.publish(boost::make_shared<AnyMessage>(AnyMessage{&type_, message}));
+  }
+  std::uint32_t subscribers() const { return publisher_.getNumSubscribers(); }
+
+ private:
+  ros::Publisher publisher_;
+  MessageType type_;
+};
+
+/// Hands roscpp's messages to a handler that takes any type. Between nodes of one process messages are not serialised.
+class AnySubscription : public ros::SubscriptionCallbackHelper {
+ public:
+  using Handler = std::function<void(const boost::shared_ptr<const void>&)>;
+
+  AnySubscription(const MessageType& type, Handler handler) : type_(type), handler_(std::move(handler)) {}
+
+  ros::VoidConstPtr deserialize(const ros::SubscriptionCallbackHelperDeserializeParams& bytes) override {
+    ros::serialization::IStream stream(bytes.buffer, bytes.length);
+    return boost::make_shared<AnyMessage>(AnyMessage{&type_, type_.read(stream)});
+  }
+  void call(ros::SubscriptionCallbackHelperCallParams& params) override {
+    const auto any = boost::static_pointer_cast<const AnyMessage>(params.event.getMessage());
+    handler_(any->message);
+  }
+  const std::type_info& getTypeInfo() override { return typeid(AnyMessage); }
+  bool isConst() override { return true; }
+  bool hasHeader() override { return type_.has_header; }
+
+ private:
+  MessageType type_;
+  Handler handler_;
+};
+
+class AnyService : public ros::ServiceCallbackHelper {
+ public:
+  explicit AnyService(ServiceType type) : type_(std::move(type)) {}
+  bool call(ros::ServiceCallbackHelperCallParams& params) override {
+    return type_.callSerialized(params.request, params.response);
+  }
+
+ private:
+  ServiceType type_;
+};
+
+std::string withoutSlash(const std::string& name) { return name.empty() || name[0] != '/' ? name : name.substr(1); }
+
+}  // namespace
+
+class RosBus::Impl {
+ public:
+  explicit Impl(const ros::NodeHandle& private_handle)
+      : handle(private_handle),
+        name(withoutSlash(handle.getNamespace())),
+        counters(name, [](const std::string& line) { ROS_WARN_STREAM(line); }),
+        diagnostics(ros::NodeHandle(), handle, "/" + name) {
+    diagnostics.setHardwareID(name);
+    diagnostics.add("counters", [this](diagnostic_updater::DiagnosticStatusWrapper& status) { report(status); });
+    wall_timers.push_back(
+        handle.createWallTimer(ros::WallDuration(1.0), [this](const auto&) { diagnostics.force_update(); }));
+  }
+
+  std::string resolve(const std::string& topic) const { return handle.resolveName(absoluteName(name, topic)); }
+
+  void report(diagnostic_updater::DiagnosticStatusWrapper& status) {
+    const std::uint64_t bad_news = counters.badNews();
+    const bool grew = bad_news > reported_bad_news;
+    status.summary(grew ? diagnostic_msgs::DiagnosticStatus::WARN : diagnostic_msgs::DiagnosticStatus::OK,
+                   grew ? std::to_string(bad_news - reported_bad_news) + " new faults" : "no new faults");
+    for (const CounterReading& reading : counters.readings()) status.add(reading.name, reading.value);
+    reported_bad_news = bad_news;
+  }
+
+  void hearStaticTransforms(const tf2_msgs::TFMessage& message) {
+    for (const auto& transform : message.transforms)
+      if (!transforms.setTransform(transform, "tf_static", true))
+        counters.get("refused transforms").add(transform.header.frame_id + " to " + transform.child_frame_id);
+  }
+
+  void fireTimers(ros::Time now) {
+    while (const auto due = data_timers.takeBefore(now)) due->handler(due->deadline);
+  }
+
+  ros::NodeHandle handle;
+  std::string name;
+  CounterSet counters;
+  std::uint64_t reported_bad_news = 0;
+  diagnostic_updater::Updater diagnostics;
+  tf2::BufferCore transforms;
+  tf2_msgs::TFMessage static_transforms;
+  Publisher<tf2_msgs::TFMessage> static_transform_publisher;
+  DataTimers data_timers;
+  std::map<std::string, std::shared_ptr<RosChannel>> channels;
+  // Last, so that nothing is called while the rest goes.
+  std::vector<ros::Subscriber> subscribers;
+  std::vector<ros::ServiceServer> services;
+  std::vector<ros::WallTimer> wall_timers;
+};
+
+RosBus::RosBus(const ros::NodeHandle& private_handle) : impl_(std::make_unique<Impl>(private_handle)) {
+  subscribe<tf2_msgs::TFMessage>("/tf_static", [this](const auto& message) { impl_->hearStaticTransforms(message); });
+}
+
+RosBus::~RosBus() = default;
+
+const std::string& RosBus::name() const { return impl_->name; }
+
+YAML::Node RosBus::parameters() const {
+  XmlRpc::XmlRpcValue value;
+  const std::string space = impl_->handle.getNamespace();
+  return ros::param::get(space, value) ? withoutRuntimeKeys(treeFromXmlRpc(value, space)) : YAML::Node();
+}
+
+YAML::Node RosBus::liveParameters() const {
+  XmlRpc::XmlRpcValue value;
+  const std::string space = impl_->handle.getNamespace() + "/live";
+  return ros::param::get(space, value) ? treeFromXmlRpc(value, space) : YAML::Node();
+}
+
+const tf2::BufferCore& RosBus::transforms() const { return impl_->transforms; }
+
+void RosBus::publishStaticTransform(const geometry_msgs::TransformStamped& transform) {
+  if (impl_->static_transforms.transforms.empty())
+    impl_->static_transform_publisher = advertise<tf2_msgs::TFMessage>("/tf_static", true);
+  addTransform(impl_->static_transforms, transform);
+  impl_->static_transform_publisher.publish(impl_->static_transforms);
+}
+
+Counter& RosBus::counter(const std::string& name) { return impl_->counters.get(name); }
+std::vector<CounterReading> RosBus::counters() const { return impl_->counters.readings(); }
+ros::Time RosBus::now() const { return ros::Time::now(); }
+
+void RosBus::everyData(double period_s, std::function<void(ros::Time)> handler) {
+  const bool first = impl_->data_timers.empty();
+  impl_->data_timers.add(period_s, std::move(handler));
+  if (!first) return;
+  if (ros::Time::isSimTime())
+    subscribe<rosgraph_msgs::Clock>("/clock", [this](const auto& clock) { impl_->fireTimers(clock.clock); });
+  else
+    everyWall(0.01, [this] { impl_->fireTimers(ros::Time::now()); });
+}
+
+void RosBus::everyWall(double period_s, std::function<void()> handler) {
+  const auto call = [handler = std::move(handler)](const ros::WallTimerEvent&) { handler(); };
+  impl_->wall_timers.push_back(impl_->handle.createWallTimer(ros::WallDuration(period_s), call));
+}
+
+std::uint32_t RosBus::subscribers(const std::string& topic) const {
+  const auto found = impl_->channels.find(impl_->resolve(topic));
+  return found == impl_->channels.end() ? 0 : found->second->subscribers();
+}
+
+std::shared_ptr<Channel> RosBus::openChannel(const std::string& topic, bool latched, const MessageType& type) {
+  const std::string absolute = impl_->resolve(topic);
+  ros::AdvertiseOptions options(absolute, 0, type.md5sum, type.datatype, type.definition);
+  options.latch = latched;
+  options.has_header = type.has_header;
+  const ros::Publisher publisher = impl_->handle.advertise(options);
+  if (!publisher) throw std::runtime_error("topic " + absolute + " cannot be opened as " + type.datatype);
+  return impl_->channels[absolute] = std::make_shared<RosChannel>(publisher, type);
+}
+
+void RosBus::openSubscription(const std::string& topic, const MessageType& type,
+                              std::function<void(const boost::shared_ptr<const void>&)> handler) {
+  ros::SubscribeOptions options;
+  options.topic = impl_->resolve(topic);
+  options.queue_size = 0;
+  options.md5sum = type.md5sum;
+  options.datatype = type.datatype;
+  options.helper = boost::make_shared<AnySubscription>(type, std::move(handler));
+  options.transport_hints = ros::TransportHints().tcpNoDelay();
+  impl_->subscribers.push_back(impl_->handle.subscribe(options));
+}
+
+void RosBus::openService(const std::string& service, const ServiceType& type) {
+  ros::AdvertiseServiceOptions options;
+  options.service = impl_->resolve(service);
+  options.md5sum = type.md5sum;
+  options.datatype = type.datatype;
+  options.req_datatype = type.request_datatype;
+  options.res_datatype = type.response_datatype;
+  options.helper = boost::make_shared<AnyService>(type);
+  const ros::ServiceServer server = impl_->handle.advertiseService(options);
+  if (!server) throw std::runtime_error("service " + options.service + " cannot be served");
+  impl_->services.push_back(server);
+}
+
+}  // namespace tws_runtime

@@ -1,0 +1,108 @@
+#include <ros/callback_queue.h>
+#include <ros/ros.h>
+#include <rosgraph_msgs/Clock.h>
+#include <tws_runtime/parameters.h>
+#include <tws_runtime/ros_bus.h>
+#include <tws_runtime/run.h>
+
+#include <algorithm>
+#include <map>
+#include <optional>
+
+namespace tws_runtime {
+namespace {
+
+constexpr double kClockPeriod = 0.02;  // [s of wall time]: /clock goes out at least 50 times a second.
+
+/// Calls what waits, for at least this long.
+void spinFor(double wall_s) {
+  const ros::WallTime end = ros::WallTime::now() + ros::WallDuration(wall_s);
+  do {
+    ros::getGlobalCallbackQueue()->callAvailable(std::max(ros::WallDuration(0.0), end - ros::WallTime::now()));
+  } while (ros::ok() && ros::WallTime::now() < end);
+}
+
+/// The topics of `wanted` that have not got their subscribers yet, in words; empty: none.
+std::string missingSubscribers(const RosBus& bus, const std::vector<std::string>& wanted) {
+  std::map<std::string, std::uint32_t> least;
+  for (const std::string& topic : wanted) ++least[topic];
+  std::string missing;
+  for (const auto& [topic, count] : least)
+    if (bus.subscribers(topic) < count) missing += (missing.empty() ? "" : ", ") + topic;
+  return missing;
+}
+
+void waitForSubscribers(const RosBus& bus, const LiveOptions& options) {
+  const ros::WallTime end = ros::WallTime::now() + ros::WallDuration(options.wait_timeout);
+  std::string missing = missingSubscribers(bus, options.wait_for);
+  while (ros::ok() && !missing.empty() && ros::WallTime::now() < end) {
+    spinFor(kClockPeriod);
+    missing = missingSubscribers(bus, options.wait_for);
+  }
+  if (!missing.empty())
+    ROS_WARN_STREAM(bus.name() << ": too few subscribers after " << options.wait_timeout << " s: " << missing
+                               << "; starting without them");
+}
+
+/// Data time that runs `rate` times as fast as the wall clock, and tells everybody.
+class PacedClock {
+ public:
+  PacedClock(RosBus& bus, double rate, ros::Time start)
+      : publisher_(bus.advertise<rosgraph_msgs::Clock>("/clock")), rate_(rate), data_start_(start) {}
+
+  /// Spins until it is `time`, telling the time on the way and at the end.
+  void waitUntil(ros::Time time) {
+    for (double wait = wallUntil(time); wait > 0.0 && ros::ok(); wait = wallUntil(time)) {
+      spinFor(std::min(wait, kClockPeriod));
+      tell(std::min(time, data_start_ + ros::Duration(rate_ * wallElapsed())));
+    }
+    tell(time);
+  }
+
+ private:
+  double wallElapsed() const { return (ros::WallTime::now() - wall_start_).toSec(); }
+  double wallUntil(ros::Time time) const {
+    return rate_ > 0.0 ? (time - data_start_).toSec() / rate_ - wallElapsed() : 0.0;
+  }
+  void tell(ros::Time time) {
+    rosgraph_msgs::Clock message;
+    message.clock = time;
+    publisher_.publish(message);
+  }
+
+  Publisher<rosgraph_msgs::Clock> publisher_;
+  double rate_;
+  ros::Time data_start_;
+  ros::WallTime wall_start_ = ros::WallTime::now();
+};
+
+}  // namespace
+
+LiveOptions readLiveOptions(const YAML::Node& tree, const std::string& where) {
+  constexpr double kUnbounded = std::numeric_limits<double>::infinity();
+  LiveOptions options;
+  ParameterReader reader(tree, where);
+  reader.number("rate", options.rate, 0.0, 1e6);
+  reader.number("duration", options.duration, 1e-3, kUnbounded);
+  reader.texts("wait_for", options.wait_for);
+  reader.number("wait_timeout", options.wait_timeout, 0.0, 3600.0);
+  reader.number("linger", options.linger, 0.0, 3600.0);
+  reader.done();
+  return options;
+}
+
+void runLive(RosBus& bus, Source& source, const LiveOptions& options) {
+  const std::optional<ros::Time> start = source.nextTime();
+  if (!start) return;
+  waitForSubscribers(bus, options);
+  PacedClock clock(bus, options.rate, *start);
+  for (auto next = start; next && ros::ok(); next = source.nextTime()) {
+    if ((*next - *start).toSec() > options.duration) break;
+    clock.waitUntil(*next);
+    source.step();
+    spinFor(0.0);
+  }
+  if (ros::ok()) spinFor(options.linger);
+}
+
+}  // namespace tws_runtime
