@@ -47,7 +47,7 @@ class SectorFile {
   int sector(std::uint32_t number) const { return number < links_.size() ? links_[number].sector : -1; }
   /// kNone when the sector is empty. Sectors are not checked: 0..sectors-1.
   std::uint32_t first(int sector) const { return sectors_[index(sector)].first; }
-  /// The number that follows in the same sector; kNone after the last.
+  /// The number that follows in the same sector; kNone after the last. Numbers are not checked either.
   std::uint32_t next(std::uint32_t number) const { return links_[number].next; }
   std::uint32_t count(int sector) const { return sectors_[index(sector)].count; }
 

@@ -44,11 +44,12 @@ class TimeOrder {
   /// stream or a time that is not finite.
   Result push(std::size_t stream, double time, T&& value) {
     checkInput(stream, time);
-    if (time < heard_[stream] || std::make_pair(time, stream) < released_) {
+    const bool late = time < heard_[stream] || std::make_pair(time, stream) < released_;
+    hear(stream, time);
+    if (late) {
       ++late_;
       return Result::kLate;
     }
-    hear(stream, time);
     queues_[stream].push_back({stream, time, std::move(value)});
     ++size_;
     return Result::kAccepted;
