@@ -47,8 +47,13 @@ void waitForSubscribers(const RosBus& bus, const LiveOptions& options) {
 /// Data time that runs `rate` times as fast as the wall clock, and tells everybody.
 class PacedClock {
  public:
-  PacedClock(RosBus& bus, double rate, ros::Time start)
-      : publisher_(bus.advertise<rosgraph_msgs::Clock>("/clock")), rate_(rate), data_start_(start) {}
+  PacedClock(RosBus& bus, double rate) : publisher_(bus.advertise<rosgraph_msgs::Clock>("/clock")), rate_(rate) {}
+
+  /// From here on: it is `time` now.
+  void start(ros::Time time) {
+    data_start_ = time;
+    wall_start_ = ros::WallTime::now();
+  }
 
   /// Spins until it is `time`, telling the time on the way and at the end.
   void waitUntil(ros::Time time) {
@@ -73,7 +78,7 @@ class PacedClock {
   Publisher<rosgraph_msgs::Clock> publisher_;
   double rate_;
   ros::Time data_start_;
-  ros::WallTime wall_start_ = ros::WallTime::now();
+  ros::WallTime wall_start_;
 };
 
 }  // namespace
@@ -94,8 +99,9 @@ LiveOptions readLiveOptions(const YAML::Node& tree, const std::string& where) {
 void runLive(RosBus& bus, Source& source, const LiveOptions& options) {
   const std::optional<ros::Time> start = source.nextTime();
   if (!start) return;
+  PacedClock clock(bus, options.rate);
   waitForSubscribers(bus, options);
-  PacedClock clock(bus, options.rate, *start);
+  clock.start(*start);
   for (auto next = start; next && ros::ok(); next = source.nextTime()) {
     if ((*next - *start).toSec() > options.duration) break;
     clock.waitUntil(*next);
