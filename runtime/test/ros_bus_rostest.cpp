@@ -1,0 +1,158 @@
+#include <diagnostic_msgs/DiagnosticArray.h>
+#include <gtest/gtest.h>
+#include <ros/ros.h>
+#include <rosgraph_msgs/Clock.h>
+#include <tws_runtime/local_graph.h>
+#include <tws_runtime/run.h>
+
+#include <functional>
+#include <iostream>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "example_nodes.h"
+
+namespace tws_runtime {
+namespace {
+
+using Bytes = std::vector<std::uint8_t>;
+
+/// A message as bytes, without header.seq, which roscpp fills.
+template <class M>
+Bytes bytesOf(M message) {
+  if (std_msgs::Header* header = ros::message_traits::header(message)) header->seq = 0;
+  Bytes bytes(ros::serialization::serializationLength(message));
+  ros::serialization::OStream stream(bytes.data(), static_cast<std::uint32_t>(bytes.size()));
+  ros::serialization::serialize(stream, message);
+  return bytes;
+}
+
+struct Heard {
+  std::vector<Bytes> out;
+  std::vector<ros::Time> ticks;
+};
+
+Heard runInOneProcess() {
+  Heard heard;
+  LocalGraph graph(std::cerr);
+  NumbersSource source(graph.addNode("numbers"));
+  const RelayNode relay(graph.addNode("relay", YAML::Load("{gain: 3}")));
+  Bus& ear = graph.addNode("ear");
+  ear.subscribe<tws_msgs::Detections>("/relay/out", [&](const auto& m) { heard.out.push_back(bytesOf(m)); });
+  ear.subscribe<std_msgs::Header>("/relay/ticks", [&](const auto& m) { heard.ticks.push_back(m.stamp); });
+  runOffline(graph, {&source});
+  return heard;
+}
+
+template <class M>
+ros::Subscriber listen(ros::NodeHandle& node, const std::string& topic, const std::function<void(const M&)>& handler) {
+  return node.subscribe<M>(topic, 0, [handler](const boost::shared_ptr<const M>& message) { handler(*message); });
+}
+
+bool waitFor(const std::function<bool()>& condition) {
+  const ros::WallTime end = ros::WallTime::now() + ros::WallDuration(20.0);
+  while (!condition() && ros::WallTime::now() < end) {
+    ros::spinOnce();
+    ros::WallDuration(0.01).sleep();
+  }
+  return condition();
+}
+
+/// Listens to a whole live run, the start of which waits for this listener.
+class RosBusTest : public ::testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    ros::NodeHandle node;
+    Heard heard;
+    ros::Time last_clock;
+    const ros::Subscriber out = listen<tws_msgs::Detections>(
+        node, "/relay/out", [&](const auto& message) { heard.out.push_back(bytesOf(message)); });
+    const ros::Subscriber ticks = listen<std_msgs::Header>(
+        node, "/relay/ticks", [&](const auto& message) { heard.ticks.push_back(message.stamp); });
+    const ros::Subscriber clock = listen<rosgraph_msgs::Clock>(node, "/clock", [&](const auto& message) {
+      clocks_go_on = clocks_go_on && message.clock >= last_clock;
+      last_clock = message.clock;
+      ++clock_count;
+    });
+    EXPECT_TRUE(waitFor([&] { return out.getNumPublishers() > 0 && ticks.getNumPublishers() > 0; }));
+    const ros::WallTime start = ros::WallTime::now();
+    const ros::Subscriber numbers = listen<tws_msgs::Detections>(node, "/numbers", [](const auto&) {});
+    EXPECT_TRUE(waitFor([&] { return heard.out.size() >= NumbersSource::kCount; }));
+    waitFor([&] { return heard.ticks.size() >= 4; });
+    wall_seconds = (ros::WallTime::now() - start).toSec();
+    live = heard;
+  }
+
+  static Heard live;
+  static bool clocks_go_on;
+  static int clock_count;
+  static double wall_seconds;
+};
+
+Heard RosBusTest::live;
+bool RosBusTest::clocks_go_on = true;
+int RosBusTest::clock_count = 0;
+double RosBusTest::wall_seconds = 0.0;
+
+// If this fails, an offline run says nothing about the live system: the first or last messages are lost, or the two
+// lives differ.
+TEST_F(RosBusTest, TheSameNodesGiveTheSameBytesLiveAndInOneProcess) {
+  const Heard offline = runInOneProcess();
+  EXPECT_EQ(offline.out.size(), NumbersSource::kCount);
+  EXPECT_EQ(live.out, offline.out);
+}
+
+// If this fails, timers on data time depend on the wall clock. The last number is at 11.95 s, so 12.0 s is never
+// passed.
+TEST_F(RosBusTest, DataTimersStampTheirDeadlines) {
+  const std::vector<ros::Time> expected{ros::Time(10, 0), ros::Time(10, 500000000), ros::Time(11, 0),
+                                        ros::Time(11, 500000000)};
+  EXPECT_EQ(runInOneProcess().ticks, expected);
+  EXPECT_EQ(live.ticks, expected);
+}
+
+// If this fails, time jumps for everybody who asks /clock. 1.95 s of data at rate 2 are 0.975 s of wall time, 50
+// messages each.
+TEST_F(RosBusTest, ClockGoesOnInSmallSteps) {
+  EXPECT_TRUE(clocks_go_on);
+  EXPECT_GE(wall_seconds, 0.97);
+  EXPECT_GE(clock_count, static_cast<int>(NumbersSource::kCount));
+}
+
+// If this fails, an operator's request is lost.
+TEST_F(RosBusTest, AServiceIsCalledOverRos) {
+  tws_msgs::DropTrack call;
+  call.request.numbers = {4, 5};
+  ASSERT_TRUE(ros::service::call("/relay/add", call));
+  EXPECT_EQ(call.response.message, "added 2");
+}
+
+// If this fails, faults do not show in /diagnostics. Of 0 .. 39 four numbers end in 7.
+TEST_F(RosBusTest, CountersShowInTheDiagnostics) {
+  ros::NodeHandle node;
+  std::map<std::string, std::string> values;
+  std::string hardware_id;
+  const ros::Subscriber diagnostics =
+      listen<diagnostic_msgs::DiagnosticArray>(node, "/diagnostics", [&](const auto& array) {
+        for (const auto& status : array.status) {
+          if (status.name != "relay: counters") continue;
+          hardware_id = status.hardware_id;
+          for (const auto& value : status.values) values[value.key] = value.value;
+        }
+      });
+  EXPECT_TRUE(waitFor([&] { return !values.empty(); }));
+  EXPECT_EQ(hardware_id, "relay");
+  EXPECT_EQ(values["numbers"], "40");
+  EXPECT_EQ(values["sevens"], "4");
+}
+
+}  // namespace
+}  // namespace tws_runtime
+
+int main(int argc, char** argv) {
+  ::testing::InitGoogleTest(&argc, argv);
+  ros::init(argc, argv, "ros_bus_rostest");
+  const ros::NodeHandle keep_alive;
+  return RUN_ALL_TESTS();
+}
