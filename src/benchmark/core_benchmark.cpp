@@ -35,7 +35,7 @@ class Cycle {
 
 void SectorOf(benchmark::State& state) {
   Cycle azimuths(-7.0, 7.0);
-  for (auto _ : state) benchmark::DoNotOptimize(tws::sectorOf(azimuths.next()));
+  for ([[maybe_unused]] auto _ : state) benchmark::DoNotOptimize(tws::sectorOf(azimuths.next()));
 }
 BENCHMARK(SectorOf);
 
@@ -43,7 +43,7 @@ void AlphaBetaUpdate(benchmark::State& state) {
   const tws::AdaptiveAlphaBeta filter({});
   tws::AlphaBetaState track = filter.start(5e4, -100.0);
   Cycle innovations(-100.0, 100.0), times(0.1, 8.0);
-  for (auto _ : state) {
+  for ([[maybe_unused]] auto _ : state) {
     filter.update(track, innovations.next(), times.next());
     benchmark::DoNotOptimize(track);
   }
@@ -53,20 +53,21 @@ BENCHMARK(AlphaBetaUpdate);
 void GainTableLookup(benchmark::State& state) {
   const tws::GainTable table(0.7);
   Cycle steps(0.0, 4.0);
-  for (auto _ : state) benchmark::DoNotOptimize(table.lookup(steps.next()));
+  for ([[maybe_unused]] auto _ : state) benchmark::DoNotOptimize(table.lookup(steps.next()));
 }
 BENCHMARK(GainTableLookup);
 
 void KalmanConvert(benchmark::State& state) {
   Cycle azimuths(0.0, 6.28);
-  for (auto _ : state) benchmark::DoNotOptimize(tws::convertedMeasurement(5e4, azimuths.next(), 50.0, 0.002));
+  for ([[maybe_unused]] auto _ : state)
+    benchmark::DoNotOptimize(tws::convertedMeasurement(5e4, azimuths.next(), 50.0, 0.002));
 }
 BENCHMARK(KalmanConvert);
 
 void KalmanPredict(benchmark::State& state) {
   tws::PlanarState track = tws::startState(tws::convertedMeasurement(5e4, 1.0, 50.0, 0.002), 200.0);
   const tws::PlanarState start = track;
-  for (auto _ : state) {
+  for ([[maybe_unused]] auto _ : state) {
     track = start;
     tws::predict(track, 4.0, 5.0);
     benchmark::DoNotOptimize(track);
@@ -77,7 +78,7 @@ BENCHMARK(KalmanPredict);
 void KalmanInnovation(benchmark::State& state) {
   const auto z = tws::convertedMeasurement(5e4, 1.0, 50.0, 0.002);
   tws::PlanarState track = tws::startState(z, 200.0);
-  for (auto _ : state) {
+  for ([[maybe_unused]] auto _ : state) {
     benchmark::DoNotOptimize(track);
     benchmark::DoNotOptimize(tws::innovation(track, z));
   }
@@ -87,7 +88,7 @@ BENCHMARK(KalmanInnovation);
 void KalmanPredictAndUpdate(benchmark::State& state) {
   const auto z = tws::convertedMeasurement(5e4, 1.0, 50.0, 0.002);
   tws::PlanarState track = tws::startState(z, 200.0);
-  for (auto _ : state) {
+  for ([[maybe_unused]] auto _ : state) {
     tws::predict(track, 4.0, 5.0);
     tws::update(track, z, tws::innovation(track, z));
     benchmark::DoNotOptimize(track);
@@ -97,7 +98,7 @@ BENCHMARK(KalmanPredictAndUpdate);
 
 void NumberFileTakeAndDrop(benchmark::State& state) {
   tws::NumberFile file(static_cast<std::uint32_t>(state.range(0)));
-  for (auto _ : state) file.drop(*file.take());
+  for ([[maybe_unused]] auto _ : state) file.drop(*file.take());
 }
 BENCHMARK(NumberFileTakeAndDrop)->Arg(256)->Arg(1000000);
 
@@ -109,7 +110,7 @@ void SectorFileMove(benchmark::State& state) {
   std::vector<std::uint32_t> order(4096);
   for (auto& n : order) n = static_cast<std::uint32_t>(generator() % numbers);
   std::size_t at = 0;
-  for (auto _ : state) {
+  for ([[maybe_unused]] auto _ : state) {
     const std::uint32_t n = order[at++ & 4095];
     const int sector = file.sector(n);
     file.remove(n);
@@ -122,7 +123,7 @@ void TimeOrderPushAndPop(benchmark::State& state) {
   const auto streams = static_cast<std::size_t>(state.range(0));
   tws::TimeOrder<std::uint64_t> order(streams);
   std::uint64_t count = 0;
-  for (auto _ : state) {
+  for ([[maybe_unused]] auto _ : state) {
     order.push(count % streams, static_cast<double>(count) * 0.01, count);
     ++count;
     while (auto item = order.pop()) benchmark::DoNotOptimize(item);
@@ -132,14 +133,14 @@ BENCHMARK(TimeOrderPushAndPop)->Arg(2)->Arg(8);
 
 void PolarFromEnu(benchmark::State& state) {
   Cycle axis(-1e5, 1e5);
-  for (auto _ : state) benchmark::DoNotOptimize(tws::polarFromEnu({axis.next(), axis.next(), 5000.0}));
+  for ([[maybe_unused]] auto _ : state) benchmark::DoNotOptimize(tws::polarFromEnu({axis.next(), axis.next(), 5000.0}));
 }
 BENCHMARK(PolarFromEnu);
 
 void GeodeticToEnuAndBack(benchmark::State& state) {
   const tws::LocalFrame frame({0.9, 0.1, 50.0});
   Cycle axis(-2e5, 2e5);
-  for (auto _ : state) {
+  for ([[maybe_unused]] auto _ : state) {
     benchmark::DoNotOptimize(frame.toEnu(frame.toGeodetic({axis.next(), axis.next(), 5000.0})));
   }
 }

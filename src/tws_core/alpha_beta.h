@@ -25,7 +25,7 @@ class GainTable {
 
   AlphaBetaGains lookup(double omega0_T1) const {
     const double entry = omega0_T1 * entries_per_radian_ + 0.5;
-    return entry < entries_ ? table_[static_cast<std::size_t>(entry)] : gains(omega0_T1, damping_);
+    return entry >= 0.0 && entry < entries_ ? table_[static_cast<std::size_t>(entry)] : gains(omega0_T1, damping_);
   }
   double damping() const { return damping_; }
 

@@ -24,6 +24,7 @@ class LocalFrame {
   explicit LocalFrame(const Geodetic& origin);
 
   const Geodetic& origin() const { return origin_; }
+  /// Neither checks its input: a NaN in gives NaN out.
   Eigen::Vector3d toEnu(const Geodetic& geodetic) const;
   Geodetic toGeodetic(const Eigen::Vector3d& enu) const;
   /// The same rotation for velocities and axes: columns are this frame's east, north and up in ECEF.
