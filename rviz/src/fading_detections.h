@@ -1,0 +1,32 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <deque>
+
+#include "drawing.h"
+
+namespace tws_rviz {
+
+/// One detection on the screen.
+struct Blip {
+  double time = 0.0;         // data time of the detection [s]
+  Eigen::Vector2d position;  // [m]
+  double azimuth = 0.0;      // in which the radar saw it [rad]; the blip lies across
+};
+
+/// The latest detections of one radar, which fade as the phosphor of a PPI does.
+class FadingDetections {
+ public:
+  /// Forgets what has faded `persistence` [s] before this one.
+  void add(const Blip& blip, double persistence);
+
+  /// Each blip `size` [m] long; full colour when new, nothing `persistence` [s] later.
+  void draw(Drawing& drawing, double time, double persistence, double size, const Rgba& color) const;
+
+  std::size_t size() const { return blips_.size(); }
+
+ private:
+  std::deque<Blip> blips_;  // in order of arrival
+};
+
+}  // namespace tws_rviz

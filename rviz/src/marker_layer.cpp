@@ -1,0 +1,88 @@
+#include "marker_layer.h"
+
+#include <utility>
+
+namespace tws_rviz {
+namespace {
+
+using visualization_msgs::Marker;
+
+std_msgs::ColorRGBA toMessage(const Rgba& color) {
+  std_msgs::ColorRGBA message;
+  message.r = color.r;
+  message.g = color.g;
+  message.b = color.b;
+  message.a = color.a;
+  return message;
+}
+
+geometry_msgs::Point toMessage(const Eigen::Vector2d& position) {
+  geometry_msgs::Point message;
+  message.x = position.x();
+  message.y = position.y();
+  return message;
+}
+
+}  // namespace
+
+MarkerLayer::MarkerLayer(std::string frame, std::string name, double height)
+    : frame_(std::move(frame)), name_(std::move(name)), height_(height) {}
+
+visualization_msgs::MarkerArray MarkerLayer::show(const Drawing& drawing, ros::Time time) {
+  visualization_msgs::MarkerArray array;
+  if (!std::exchange(started_, true)) {
+    array.markers.push_back(marker("", 0, Marker::TRIANGLE_LIST, time));
+    array.markers.back().action = Marker::DELETEALL;
+  }
+  array.markers.push_back(triangles(drawing, time));
+  std::set<std::uint32_t> gone = std::exchange(labels_, {});
+  for (const Label& label : drawing.labels) {
+    array.markers.push_back(text(label, time));
+    labels_.insert(label.id);
+    gone.erase(label.id);
+  }
+  for (const std::uint32_t id : gone) {
+    array.markers.push_back(marker(name_ + " labels", static_cast<int>(id), Marker::TEXT_VIEW_FACING, time));
+    array.markers.back().action = Marker::DELETE;
+  }
+  return array;
+}
+
+Marker MarkerLayer::marker(const std::string& part, int id, int type, ros::Time time) const {
+  Marker marker;
+  marker.header.frame_id = frame_;
+  marker.header.stamp = time;
+  marker.ns = part;
+  marker.id = id;
+  marker.type = type;
+  marker.pose.position.z = height_;
+  marker.pose.orientation.w = 1.0;
+  marker.scale.x = marker.scale.y = marker.scale.z = 1.0;
+  marker.color.a = 1.0f;
+  return marker;
+}
+
+Marker MarkerLayer::triangles(const Drawing& drawing, ros::Time time) const {
+  Marker result = marker(name_, 0, Marker::TRIANGLE_LIST, time);
+  // RViz calls an empty list an error.
+  if (drawing.triangles.empty()) result.action = Marker::DELETE;
+  result.points.reserve(drawing.triangles.size());
+  result.colors.reserve(drawing.triangles.size());
+  for (const Vertex& vertex : drawing.triangles) {
+    result.points.push_back(toMessage(vertex.position));
+    result.colors.push_back(toMessage(vertex.color));
+  }
+  return result;
+}
+
+Marker MarkerLayer::text(const Label& label, ros::Time time) const {
+  Marker result = marker(name_ + " labels", static_cast<int>(label.id), Marker::TEXT_VIEW_FACING, time);
+  result.pose.position.x = label.centre.x();
+  result.pose.position.y = label.centre.y();
+  result.scale.z = label.height;
+  result.color = toMessage(label.color);
+  result.text = label.text;
+  return result;
+}
+
+}  // namespace tws_rviz

@@ -1,0 +1,101 @@
+#include "ppi_input.h"
+
+#include <cmath>
+#include <cstdio>
+#include <stdexcept>
+
+#include <tws_core/geometry.h>
+#include <tws_core/sectors.h>
+#include <tws_core/units.h>
+
+namespace tws_rviz {
+namespace {
+
+void requireFinite(double value, const std::string& field) {
+  if (!std::isfinite(value)) throw std::invalid_argument(field + " is not a finite number");
+}
+
+Eigen::Vector2d polarPosition(double range, double azimuth, const PlanarFrame& site) {
+  requireFinite(range, "range");
+  requireFinite(azimuth, "azimuth");
+  if (range < 0.0) throw std::invalid_argument("range is negative: " + std::to_string(range));
+  return site.placed(tws::planarFromPolar(range, azimuth));
+}
+
+Eigen::Vector2d cartesianPosition(const geometry_msgs::Point& position, const PlanarFrame& frame) {
+  requireFinite(position.x, "position.x");
+  requireFinite(position.y, "position.y");
+  return frame.placed({position.x, position.y});
+}
+
+TrackState trackState(const tws_msgs::Track& track) {
+  switch (track.state) {
+    case tws_msgs::Track::TENTATIVE:
+      return TrackState::kTentative;
+    case tws_msgs::Track::FIRM:
+      return TrackState::kFirm;
+    case tws_msgs::Track::COASTING:
+      return TrackState::kCoasting;
+    case tws_msgs::Track::DROPPED:
+      return TrackState::kDropped;
+    default:
+      throw std::invalid_argument("state of track " + std::to_string(track.number) + " is " +
+                                  std::to_string(track.state) + "; known are 1 to 4");
+  }
+}
+
+}  // namespace
+
+PlanarFrame planarFrame(const geometry_msgs::Transform& transform) {
+  const auto& q = transform.rotation;
+  // Where the frame's north (0, 1, 0) points, seen from above.
+  const Eigen::Vector2d north(2.0 * (q.x * q.y - q.w * q.z), 1.0 - 2.0 * (q.x * q.x + q.z * q.z));
+  return {{transform.translation.x, transform.translation.y}, tws::azimuthOf(north)};
+}
+
+BeamMark beamMark(const tws_msgs::SectorMark& mark) {
+  if (mark.sector >= tws::kSectors)
+    throw std::invalid_argument("sector is " + std::to_string(mark.sector) + "; expected 0 to 63");
+  return {mark.header.stamp.toSec(), mark.sector, mark.running_sector, mark.rotation_period};
+}
+
+Blip blip(const tws_msgs::Detection& detection, const PlanarFrame& site) {
+  return {detection.stamp.toSec(), polarPosition(detection.range, detection.azimuth, site),
+          detection.azimuth + site.turn};
+}
+
+Eigen::Vector2d clutterPosition(const tws_msgs::ClutterPoint& point, const PlanarFrame& site) {
+  return polarPosition(point.range, point.azimuth, site);
+}
+
+Eigen::Vector2d truthPosition(const tws_msgs::TruthTarget& target, const PlanarFrame& frame) {
+  return cartesianPosition(target.position, frame);
+}
+
+TrackReport trackReport(const tws_msgs::Track& track, std::size_t source, const std::string& prefix, double heard,
+                        const PlanarFrame& frame) {
+  TrackReport report;
+  report.source = source;
+  report.uid = track.uid;
+  report.state = trackState(track);
+  report.heard = heard;
+  if (report.state == TrackState::kDropped) return report;
+  report.position = cartesianPosition(track.position, frame);
+  report.velocity = frame.rotated({track.velocity.x, track.velocity.y});
+  report.name = prefix + (track.callsign.empty() ? std::to_string(track.number) : track.callsign);
+  report.identity = identityText(track);
+  return report;
+}
+
+std::string identityText(const tws_msgs::Track& track) {
+  constexpr double kFeetPerLevel = 100.0;
+  char code[16] = "";
+  char level[16] = "";
+  if (track.mode_3a != tws_msgs::Track::CODE_UNKNOWN) std::snprintf(code, sizeof code, "%04o", track.mode_3a);
+  if (std::isfinite(track.height))
+    std::snprintf(level, sizeof level, "F%03ld", std::lround(tws::feetFromMetres(track.height) / kFeetPerLevel));
+  const bool both = code[0] != '\0' && level[0] != '\0';
+  return std::string(code) + (both ? " " : "") + level;
+}
+
+}  // namespace tws_rviz

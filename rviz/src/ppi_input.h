@@ -1,0 +1,39 @@
+#pragma once
+
+#include <geometry_msgs/Transform.h>
+#include <tws_msgs/ClutterMap.h>
+#include <tws_msgs/Detection.h>
+#include <tws_msgs/SectorMark.h>
+#include <tws_msgs/Track.h>
+#include <tws_msgs/TruthTarget.h>
+
+#include <string>
+
+#include "fading_detections.h"
+#include "planar_frame.h"
+#include "sweep.h"
+#include "track_picture.h"
+
+namespace tws_rviz {
+
+// From messages to what is drawn. All throw std::invalid_argument that names the field when a message makes no sense.
+
+PlanarFrame planarFrame(const geometry_msgs::Transform& transform);
+
+BeamMark beamMark(const tws_msgs::SectorMark& mark);
+
+/// The slant range is laid on the ground, as on every PPI.
+Blip blip(const tws_msgs::Detection& detection, const PlanarFrame& site);
+
+Eigen::Vector2d clutterPosition(const tws_msgs::ClutterPoint& point, const PlanarFrame& site);
+
+Eigen::Vector2d truthPosition(const tws_msgs::TruthTarget& target, const PlanarFrame& frame);
+
+/// `source`, `prefix`: which tracker, and what stands before its numbers. `heard`: stamp of the Tracks message [s].
+TrackReport trackReport(const tws_msgs::Track& track, std::size_t source, const std::string& prefix, double heard,
+                        const PlanarFrame& frame);
+
+/// Mode 3/A code in octal and flight level, as far as known, e.g. "4271 F350"; empty: neither.
+std::string identityText(const tws_msgs::Track& track);
+
+}  // namespace tws_rviz

@@ -1,0 +1,37 @@
+#pragma once
+
+#include "drawing.h"
+
+namespace tws_rviz {
+
+/// Sizes and colours of a PPI, so that it looks the same at any range. All sizes in metres on the ground.
+struct PpiStyle {
+  /// `range` is the radius of the picture [m]; `text` scales all text, 1 is readable when the picture fills 900 pixels.
+  explicit PpiStyle(double range, double text = 1.0)
+      : range(range),
+        line(0.0026 * range),
+        symbol(0.017 * range),
+        dot(0.006 * range),
+        blip(0.016 * range),
+        text(0.034 * range * text),
+        small_text(0.03 * range * text) {}
+
+  double range;
+  double line;    // width of thin lines
+  double symbol;  // radius of a firm track's symbol
+  double dot;     // of trails
+  double blip;    // length of a detection
+  double text;
+  double small_text;
+
+  Rgba ring{0.0f, 0.42f, 0.10f, 1.0f};
+  Rgba spoke{0.0f, 0.26f, 0.07f, 1.0f};
+  Rgba scale_text{0.25f, 0.75f, 0.35f, 1.0f};
+  Rgba tentative{0.95f, 0.85f, 0.20f, 1.0f};
+  Rgba firm{1.0f, 1.0f, 1.0f, 1.0f};
+  Rgba coasting{1.0f, 0.50f, 0.10f, 1.0f};
+  Rgba clutter{0.62f, 0.42f, 0.25f, 1.0f};
+  Rgba truth{0.80f, 0.30f, 0.80f, 1.0f};
+};
+
+}  // namespace tws_rviz

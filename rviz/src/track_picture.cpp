@@ -1,0 +1,116 @@
+#include "track_picture.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <tws_core/angles.h>
+#include <tws_core/units.h>
+
+#include "label_placement.h"
+
+namespace tws_rviz {
+namespace {
+
+constexpr int kTrailDots = 12;
+constexpr double kTrailBrightest = 0.75;
+constexpr int kRightSide = 0;
+constexpr int kLeftSide = 4;
+
+const Rgba& colorOf(TrackState state, const PpiStyle& style) {
+  if (state == TrackState::kFirm) return style.firm;
+  return state == TrackState::kCoasting ? style.coasting : style.tentative;
+}
+
+// A firm track is a circle, a coasting one a square, a tentative one a small diamond.
+Polygon symbolOf(TrackState state, const PpiStyle& style) {
+  if (state == TrackState::kFirm) return {16, style.symbol, 0.0};
+  if (state == TrackState::kCoasting) return {4, 1.3 * style.symbol, tws::kPi / 4.0};
+  return {4, 0.8 * style.symbol, 0.0};
+}
+
+// A tentative track shows its name only: many of them are false.
+std::string labelText(const TrackReport& report) {
+  std::string text = report.name;
+  if (report.state == TrackState::kTentative) return text;
+  const double speed = report.velocity.norm();
+  if (std::isfinite(speed)) text += "\n" + std::to_string(std::lround(tws::knotsFromSpeed(speed))) + "kn";
+  if (!report.identity.empty()) text += "\n" + report.identity;
+  return text;
+}
+
+// The label stands behind the track, clear of its leader.
+int favouredSide(const TrackReport& report) { return report.velocity.x() > 0.0 ? kLeftSide : kRightSide; }
+
+}  // namespace
+
+void TrackPicture::hear(const TrackReport& report) {
+  const auto key = std::make_pair(report.source, report.uid);
+  if (report.state == TrackState::kDropped) {
+    tracks_.erase(key);
+    return;
+  }
+  const auto [found, born] = tracks_.try_emplace(key);
+  LivingTrack& track = found->second;
+  if (born)
+    track.label = next_label_++;
+  else
+    leaveTrail(track, report.heard);
+  track.report = report;
+}
+
+void TrackPicture::leaveTrail(LivingTrack& track, double time) const {
+  const double spacing = look_.trail_time / kTrailDots;
+  if (track.trail.empty() || track.report.heard - track.trail.back().time >= spacing)
+    track.trail.push_back({track.report.heard, track.report.position});
+  while (!track.trail.empty() && track.trail.front().time < time - look_.trail_time) track.trail.pop_front();
+}
+
+void TrackPicture::expire(double time) {
+  for (auto track = tracks_.begin(); track != tracks_.end();)
+    track = time - track->second.report.heard > look_.timeout ? tracks_.erase(track) : std::next(track);
+}
+
+void TrackPicture::draw(Drawing& drawing, double time, const PpiStyle& style) {
+  for (const auto& [key, track] : tracks_) drawTrail(drawing, track, time, style);
+  for (const auto& [key, track] : tracks_) drawSymbol(drawing, track.report, style);
+  drawLabels(drawing, style);
+}
+
+void TrackPicture::drawTrail(Drawing& drawing, const LivingTrack& track, double time, const PpiStyle& style) const {
+  const Rgba& color = colorOf(track.report.state, style);
+  for (const TrailDot& dot : track.trail) {
+    const double left = 1.0 - (time - dot.time) / look_.trail_time;
+    if (left > 0.0) addDot(drawing, dot.position, style.dot, faded(color, kTrailBrightest * left));
+  }
+}
+
+void TrackPicture::drawSymbol(Drawing& drawing, const TrackReport& report, const PpiStyle& style) const {
+  const Rgba& color = colorOf(report.state, style);
+  const Eigen::Vector2d leader = look_.leader_time * report.velocity;
+  if (leader.allFinite()) addLine(drawing, report.position, report.position + leader, style.line, color);
+  addPolygon(drawing, report.position, symbolOf(report.state, style), style.line, color);
+}
+
+void TrackPicture::drawLabels(Drawing& drawing, const PpiStyle& style) {
+  std::vector<LabelRequest> requests;
+  for (const auto& [key, track] : tracks_)
+    requests.push_back({track.report.position, textSize(labelText(track.report), style.small_text), 1.4 * style.symbol,
+                        track.side.value_or(favouredSide(track.report))});
+  const std::vector<int> sides = placeLabels(requests);
+  std::size_t i = 0;
+  for (auto& [key, track] : tracks_) {
+    track.side = sides[i];
+    drawing.labels.push_back({track.label, labelCentre(requests[i], sides[i]), style.small_text,
+                              labelText(track.report), colorOf(track.report.state, style)});
+    ++i;
+  }
+}
+
+std::array<int, 3> TrackPicture::counts(std::size_t source) const {
+  std::array<int, 3> counts{};
+  for (const auto& [key, track] : tracks_)
+    if (key.first == source) ++counts[static_cast<std::size_t>(track.report.state)];
+  return counts;
+}
+
+}  // namespace tws_rviz

@@ -1,0 +1,79 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstdint>
+#include <deque>
+#include <limits>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "drawing.h"
+#include "ppi_style.h"
+
+namespace tws_rviz {
+
+enum class TrackState { kTentative, kFirm, kCoasting, kDropped };
+
+/// A tracker's word on one track.
+struct TrackReport {
+  std::size_t source = 0;  // which tracker
+  std::uint32_t uid = 0;   // never used twice by one tracker
+  TrackState state = TrackState::kTentative;
+  double heard = 0.0;        // data time of the word [s]
+  Eigen::Vector2d position;  // [m]
+  Eigen::Vector2d velocity =
+      Eigen::Vector2d::Constant(std::numeric_limits<double>::quiet_NaN());  // [m/s]; NaN: unknown
+  std::string name;      // what the operator calls it, e.g. its number
+  std::string identity;  // e.g. "4271 F350"; empty: unknown
+};
+
+/// How tracks are drawn.
+struct TrackLook {
+  double leader_time = 60.0;  // the speed leader is as long as the track flies in this time [s]
+  double trail_time = 120.0;  // age of the oldest dot of a trail [s]
+  double timeout = 30.0;      // a track of which nothing was heard for so long vanishes [s]
+};
+
+/// All living tracks, of any number of trackers: symbol, speed leader, trail and label. A track shows where it was last
+/// reported; it is not moved on in between, so that it stays on its plots.
+class TrackPicture {
+ public:
+  explicit TrackPicture(const TrackLook& look) : look_(look) {}
+
+  /// Keeps the word; a dropped track is removed.
+  void hear(const TrackReport& report);
+  /// Removes the tracks of which nothing was heard for the time-out.
+  void expire(double time);
+
+  /// Appends trails, leaders, symbols and labels. Dots of trails fade with their age at `time` [s]. Remembers where the
+  /// labels stand, so that they stay there.
+  void draw(Drawing& drawing, double time, const PpiStyle& style);
+
+  /// How many tracks of a tracker are tentative, firm and coasting, in this order.
+  std::array<int, 3> counts(std::size_t source) const;
+
+ private:
+  struct TrailDot {
+    double time;
+    Eigen::Vector2d position;
+  };
+  struct LivingTrack {
+    TrackReport report;
+    std::deque<TrailDot> trail;  // oldest first, without the present place
+    std::uint32_t label = 0;
+    std::optional<int> side;  // of the label
+  };
+  void leaveTrail(LivingTrack& track, double time) const;
+  void drawTrail(Drawing& drawing, const LivingTrack& track, double time, const PpiStyle& style) const;
+  void drawSymbol(Drawing& drawing, const TrackReport& report, const PpiStyle& style) const;
+  void drawLabels(Drawing& drawing, const PpiStyle& style);
+
+  TrackLook look_;
+  std::map<std::pair<std::size_t, std::uint32_t>, LivingTrack> tracks_;  // by source and uid
+  std::uint32_t next_label_ = 0;
+};
+
+}  // namespace tws_rviz
