@@ -10,17 +10,17 @@ namespace tws_runtime {
 
 class LocalGraph;
 
-/// The messages of a bag as a source of a LocalGraph, in order of the time at which they were recorded. (Messages recorded at the
-/// very same time come as rosbag gives them; who needs another order puts them in it, see RadarInputs.)
+/// The messages of a bag as a source of a LocalGraph, in order of the time at which they were recorded. (Messages
+/// recorded at the very same time come as rosbag gives them; who needs another order puts them in it, see RadarInputs.)
 ///
-/// Make the nodes first: a topic is read as the type that they use, other topics are passed on as bytes, so that a new recording
-/// holds them too. Node name and latching of the recorded publisher are kept.
+/// Make the nodes first: a topic is read as the type that they use, other topics are passed on as bytes, so that a new
+/// recording holds them too. Node name and latching of the recorded publisher are kept.
 class BagSource : public Source {
  public:
-  /// `topics` empty: all but those that a node of the graph publishes itself (/tf_static excepted), and never /clock, /rosout,
-  /// /rosout_agg and /diagnostics, which speak of the run that was recorded. Throws std::runtime_error, one line that names the
-  /// file and the topic, when the file is missing, truncated or no bag, a topic is not in it, or its type has another md5 than
-  /// the node's.
+  /// `topics` empty: all but those that a node of the graph publishes itself (/tf_static excepted), and never /clock,
+  /// /rosout, /rosout_agg and /diagnostics, which speak of the run that was recorded. Throws std::runtime_error, one
+  /// line that names the file and the topic, when the file is missing, truncated or no bag, a topic is not in it, or
+  /// its type has another md5 than the node's.
   BagSource(LocalGraph& graph, const std::string& path, const std::vector<std::string>& topics = {});
   ~BagSource() override;
 
