@@ -22,13 +22,13 @@ double primeVerticalRadius(double sin_latitude) {
 
 // Bowring 1976 (Survey Review 23, 323-327): tan φ = (z + e'²·b·sin³β)/(p − e²·a·cos³β), with tan β = (1 − f)·tan φ.
 double bowringLatitude(double axis_distance, double z) {
-  double latitude = std::atan2(z * kSemiMajorAxis, axis_distance * kSemiMinorAxis);  // first the parametric latitude β
-  for (int iteration = 0; iteration < 3; ++iteration) {
-    const double beta =
-        iteration == 0 ? latitude : std::atan2((1.0 - kFlattening) * std::sin(latitude), std::cos(latitude));
+  double beta = std::atan2(z, axis_distance * (1.0 - kFlattening));
+  double latitude = 0.0;
+  for (int iteration = 0; iteration < 2; ++iteration) {
     const double sine = std::sin(beta), cosine = std::cos(beta);
     latitude = std::atan2(z + kSecondEccentricitySquared * kSemiMinorAxis * sine * sine * sine,
                           axis_distance - kEccentricitySquared * kSemiMajorAxis * cosine * cosine * cosine);
+    beta = std::atan2((1.0 - kFlattening) * std::sin(latitude), std::cos(latitude));
   }
   return latitude;
 }
