@@ -1,0 +1,51 @@
+#pragma once
+
+#include <tws_core/plot.h>
+#include <tws_runtime/bus.h>
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace tws_runtime {
+
+/// Where one rotating radar publishes.
+struct RadarTopics {
+  std::string radar;         ///< The name in its messages.
+  std::string detections;    ///< Topic of tws_msgs/Detections.
+  std::string sector_marks;  ///< Topic of tws_msgs/SectorMark.
+};
+/// The usual ones: /<radar>/detections and /<radar>/sector_marks.
+RadarTopics usualTopics(const std::string& radar);
+
+/// Hears rotating radars and gives their complete sectors: of each radar every sector once and in order, whatever the
+/// order in which its two topics arrive; radars among each other in order of arrival (merge them with tws::TimeOrder).
+///
+/// Nothing stalls it: what is lost is replaced (see SectorJoin). All that is wrong is counted: "bad detections", "bad
+/// messages", "lost detections", "lost sector marks", "late messages", "duplicate messages", "count mismatches", "stray
+/// messages", "gaps", "messages of the old run", "new runs".
+class RadarInputs {
+ public:
+  struct Options {
+    double wait_limit = 0.5;     ///< Longest wait for a lost message [s of data time], >= 0; below the merger's limit.
+    double restart_limit = 5.0;  ///< Time that goes back by more begins a new run [s], > 0.
+  };
+  using OnSector = std::function<void(std::size_t radar, tws::RadarSector sector)>;
+  /// Time has gone back to this [s], for all radars: forget the old run. What still arrives of it is dropped.
+  using OnNewRun = std::function<void(double time)>;
+
+  RadarInputs(Bus& bus, const std::vector<RadarTopics>& radars, Options options, OnSector on_sector,
+              OnNewRun on_new_run);
+  ~RadarInputs();
+
+  /// The frame of a radar's site as its latest message says it; empty before the first one.
+  const std::string& frame(std::size_t radar) const;
+
+ private:
+  class Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace tws_runtime
