@@ -1,0 +1,67 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+
+#include <tws_core/geodesy.h>
+#include <tws_runtime/parameters.h>
+
+#include "random_group.h"
+#include "target.h"
+
+namespace radar_sim {
+
+/// What the parts of a scenario file are read against. Internal to the scenario reader.
+struct ReadingContext {
+  tws::LocalFrame map;
+  double start_time;   ///< [s of data time]; times in the file count from it.
+  std::string folder;  ///< Of the scenario file, with a trailing slash.
+};
+
+using tws_runtime::ParameterReader;
+
+constexpr double kFarthest = 1e7;  ///< Bounds of positions [m].
+constexpr double kLongest = 1e6;   ///< Bounds of times [s].
+
+/// A number whose unit in the file is `unit` SI units; the bounds are in the file's unit.
+inline void scaledNumber(ParameterReader& reader, const std::string& key, double& value, double unit, double least,
+                         double greatest) {
+  if (!reader.has(key)) return reader.number(key, value, least, greatest);
+  double read = 0.0;
+  reader.number(key, read, least, greatest);
+  value = read * unit;
+}
+
+/// Two numbers, the smaller one first.
+void readInterval(ParameterReader& reader, const std::string& key, Interval& value, double unit, double least,
+                  double greatest);
+
+/// `speed_mps` or `speed_kn`, one number or (Interval) two.
+void readSpeed(ParameterReader& reader, double& speed);
+void readSpeed(ParameterReader& reader, Interval& speed, double greatest);
+
+/// The place in the map frame that is given by one of east_m and north_m, latitude_deg and longitude_deg, or range_m
+/// and azimuth_deg (from the origin); `fallback` when none of them is there.
+Eigen::Vector2d readPlace(ParameterReader& reader, const ReadingContext& context,
+                          const std::optional<Eigen::Vector2d>& fallback = std::nullopt);
+
+/// swerling, detection_probability, jitter_m and, for `with_rcs`, rcs_m2.
+void readReflection(ParameterReader& reader, Reflection& reflection, bool with_rcs);
+
+/// `name`: letters, digits, - and _; required unless there is a default.
+void readName(ParameterReader& reader, std::string& name);
+
+/// Runs `build` and turns what it throws into an error about `key`, with its line.
+template <class Build>
+auto orFail(const ParameterReader& reader, const std::string& key, Build build) -> decltype(build()) {
+  try {
+    return build();
+  } catch (const tws_runtime::ParameterError&) {
+    throw;
+  } catch (const std::exception& error) {
+    reader.fail(key, error.what());
+  }
+}
+
+}  // namespace radar_sim

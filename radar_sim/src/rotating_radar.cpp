@@ -1,0 +1,193 @@
+#include "rotating_radar.h"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include <tws_core/angles.h>
+#include <tws_core/sectors.h>
+
+#include "radar_equation.h"
+
+namespace radar_sim {
+namespace {
+
+double statedSnr(const Reflection& reflection, double pfa) {
+  if (std::isnan(reflection.detection_probability)) return tws::Plot::kUnknown;
+  return snrForDetectionProbability(reflection.fluctuation, reflection.detection_probability, pfa);
+}
+
+double drawError(double sigma, RandomStream& random) {
+  return sigma > 0.0 ? std::normal_distribution<>(0.0, sigma)(random) : 0.0;
+}
+
+bool isWithin(const Fault& burst, double azimuth) {
+  return tws::wrapTwoPi(azimuth - burst.azimuth_from) < burst.azimuth_to - burst.azimuth_from;
+}
+
+}  // namespace
+
+RotatingRadar::RotatingRadar(RadarParams params, const Eigen::Isometry3d& map_to_site,
+                             const std::vector<Target>& targets, std::vector<Fault> faults, std::uint64_t seed,
+                             double start_time)
+    : params_(std::move(params)),
+      map_to_site_(map_to_site),
+      targets_(targets),
+      faults_(std::move(faults)),
+      seed_(seed),
+      antenna_(params_.rotation_period, params_.start_azimuth, start_time),
+      next_sector_(antenna_.firstSector()),
+      next_false_alarm_sector_(antenna_.firstSector()) {
+  for (std::size_t i = 0; i < targets.size(); ++i) {
+    target_streams_.push_back(RandomStream::hash(params_.name + "/" + targets[i].name));
+    stated_snr_.push_back(statedSnr(targets[i].reflection, params_.false_alarm_probability));
+    scheduleCrossing(i, start_time);
+  }
+}
+
+tws::RadarSector RotatingRadar::closeSector() {
+  tws::RadarSector sector;
+  sector.running = next_sector_++;
+  sector.sector = static_cast<int>(sector.running % tws::kSectors);
+  sector.enter_time = markTime(sector.running);
+  sector.leave_time = markTime(next_sector_);
+  for (const Echo& echo : takeEchoes(antenna_.entryTime(next_sector_))) sector.plots.push_back(measure(echo, sector));
+  return sector;
+}
+
+tws::Polar RotatingRadar::polarOf(const Target& target, double time) const {
+  return tws::polarFromEnu(map_to_site_ * target.trajectory->at(time).position);
+}
+
+double RotatingRadar::detectionProbability(std::size_t target, double time) const {
+  const Target& it = targets_[target];
+  if (isBlindAt(time) || !it.trajectory->existsAt(time)) return 0.0;
+  const double range = polarOf(it, time).range;
+  if (!isInstrumented(range)) return 0.0;
+  return radar_sim::detectionProbability(it.reflection.fluctuation, meanSnrOf(target, time, range),
+                                         params_.false_alarm_probability);
+}
+
+double RotatingRadar::rotationPeriod(std::int64_t running_sector) const {
+  const std::int64_t turn_ago = running_sector - tws::kSectors;
+  return turn_ago > antenna_.firstSector() ? markTime(running_sector) - markTime(turn_ago) : tws::Plot::kUnknown;
+}
+
+bool RotatingRadar::isFaulty(FaultKind kind, double time) const {
+  const auto applies = [&](const Fault& fault) { return fault.kind == kind && fault.isActiveAt(time); };
+  return std::any_of(faults_.begin(), faults_.end(), applies);
+}
+
+double RotatingRadar::meanSnrOf(std::size_t target, double time, double slant_range) const {
+  if (!std::isnan(stated_snr_[target])) return stated_snr_[target];
+  const Target& it = targets_[target];
+  return meanSnr(params_, it.reflection.rcs, slant_range, it.trajectory->at(time).height);
+}
+
+// The clock is a counter: it tells the last tick gone by. A millionth of a tick keeps ticks themselves from rounding
+// down.
+double RotatingRadar::clockTime(double time) const {
+  return params_.time_lsb > 0.0 ? std::floor(time / params_.time_lsb + 1e-6) * params_.time_lsb : time;
+}
+
+void RotatingRadar::scheduleCrossing(std::size_t target, double after) {
+  const Trajectory& trajectory = *targets_[target].trajectory;
+  for (double from = trajectory.nextExistence(after); std::isfinite(from);) {
+    const auto crossing = antenna_.crossing(from, [&](double time) { return polarOf(targets_[target], time).azimuth; });
+    if (!crossing) return crossings_.push({from + params_.rotation_period / 4.0, target, false});
+    if (trajectory.existsAt(*crossing)) return crossings_.push({*crossing, target, true});
+    from = trajectory.nextExistence(*crossing);
+  }
+}
+
+void RotatingRadar::illuminateTargets(double until) {
+  while (!crossings_.empty() && crossings_.top().time < until) {
+    const Crossing crossing = crossings_.top();
+    crossings_.pop();
+    if (crossing.found) illuminate(crossing.target, crossing.time);
+    // A quarter turn on, lest the same crossing be found again.
+    scheduleCrossing(crossing.target, crossing.time + (crossing.found ? params_.rotation_period / 4.0 : 0.0));
+  }
+}
+
+void RotatingRadar::illuminate(std::size_t target, double time) {
+  const Target& it = targets_[target];
+  const tws::Polar polar = polarOf(it, time);
+  if (isBlindAt(time) || !isInstrumented(polar.range)) return;
+  const double turns = (antenna_.angleAt(time) - polar.azimuth) / tws::kTwoPi;
+  RandomStream random(seed_, target_streams_[target], static_cast<std::uint64_t>(std::lround(turns)));
+  const double power = drawPower(it.reflection.fluctuation, meanSnrOf(target, time, polar.range), random);
+  if (power < -std::log(params_.false_alarm_probability)) return;
+  const double snr = power - 1.0;
+  Echo echo{time, polar.range, polar.azimuth, power};
+  echo.range_error = drawError(noiseSigma(params_, params_.range_sigma, rangeCell(params_), snr), random) +
+                     drawError(it.reflection.jitter, random);
+  echo.azimuth_error = drawError(noiseSigma(params_, params_.azimuth_sigma, params_.azimuth_beamwidth, snr), random) +
+                       drawError(it.reflection.jitter, random) / polar.range;
+  pending_.push_back(echo);
+}
+
+void RotatingRadar::raiseFalseAlarms(double until) {
+  for (; antenna_.entryTime(next_false_alarm_sector_) < until; ++next_false_alarm_sector_) {
+    drawFalseAlarms(next_false_alarm_sector_, params_.false_alarms_per_scan, nullptr, "/false alarms");
+    for (std::size_t i = 0; i < faults_.size(); ++i) {
+      const Fault& fault = faults_[i];
+      if (fault.kind != FaultKind::kFalseAlarmBurst) continue;
+      drawFalseAlarms(next_false_alarm_sector_, fault.false_alarms_per_scan, &fault, "/burst/" + std::to_string(i));
+    }
+  }
+}
+
+void RotatingRadar::drawFalseAlarms(std::int64_t sector, double per_scan, const Fault* burst,
+                                    const std::string& stream) {
+  const double enter = antenna_.entryTime(sector);
+  const double leave = antenna_.entryTime(sector + 1);
+  const double mean = per_scan * (leave - enter) / params_.rotation_period;
+  if (mean <= 0.0) return;
+  RandomStream random(seed_, params_.name + stream, static_cast<std::uint64_t>(sector));
+  const double exponent = params_.false_alarms_by_area ? 2.0 : 1.0;
+  std::uniform_real_distribution<> when(enter, leave);
+  std::uniform_real_distribution<> how_far(std::pow(params_.min_range, exponent),
+                                           std::pow(params_.max_range, exponent));
+  std::exponential_distribution<> above_threshold(1.0);  // noise power, given that it exceeds the threshold
+  for (int left = std::poisson_distribution<>(mean)(random); left > 0; --left) {
+    const double time = when(random);
+    const double range = std::pow(how_far(random), 1.0 / exponent);
+    const double power = above_threshold(random) - std::log(params_.false_alarm_probability);
+    const double azimuth = antenna_.azimuthAt(time);
+    if (isBlindAt(time) || (burst != nullptr && !(burst->isActiveAt(time) && isWithin(*burst, azimuth)))) continue;
+    pending_.push_back({time, range, azimuth, power});
+  }
+}
+
+// Cells that begin in this sector may end in the next one, and their centre of power may lie there.
+std::vector<Echo> RotatingRadar::takeEchoes(double until) {
+  const double complete = until + params_.azimuth_beamwidth / antenna_.rate();
+  illuminateTargets(complete);
+  raiseFalseAlarms(complete);
+  const auto isEarlier = [](const Echo& a, const Echo& b) { return a.time < b.time; };
+  std::stable_sort(pending_.begin(), pending_.end(), isEarlier);
+  const auto fresh = resolve(pending_, until, rangeCell(params_), params_.azimuth_beamwidth);
+  resolved_.insert(resolved_.end(), fresh.begin(), fresh.end());
+  std::stable_sort(resolved_.begin(), resolved_.end(), isEarlier);
+  const auto isDue = [until](const Echo& echo) { return echo.time < until; };
+  const auto due = std::partition_point(resolved_.begin(), resolved_.end(), isDue);
+  const std::vector<Echo> echoes(resolved_.begin(), due);
+  resolved_.erase(resolved_.begin(), due);
+  return echoes;
+}
+
+tws::Plot RotatingRadar::measure(const Echo& echo, const tws::RadarSector& sector) const {
+  const double snr = echo.power - 1.0;
+  tws::Plot plot;
+  plot.time = std::clamp(clockTime(echo.time), sector.enter_time,
+                         std::max(sector.enter_time, sector.leave_time - params_.time_lsb));
+  plot.range = std::max(tws::quantise(echo.range + echo.range_error, params_.range_lsb), params_.range_lsb);
+  plot.azimuth = tws::wrapTwoPi(tws::quantise(echo.azimuth + echo.azimuth_error, params_.azimuth_lsb));
+  plot.range_sigma = noiseSigma(params_, params_.range_sigma, rangeCell(params_), snr);
+  plot.azimuth_sigma = noiseSigma(params_, params_.azimuth_sigma, params_.azimuth_beamwidth, snr);
+  plot.snr = 10.0 * std::log10(snr);
+  return plot;
+}
+
+}  // namespace radar_sim

@@ -1,0 +1,132 @@
+#include <algorithm>
+#include <set>
+
+#include <tws_core/units.h>
+
+#include "radar_reader.h"
+#include "reading.h"
+#include "scenario.h"
+#include "target_reader.h"
+
+namespace radar_sim {
+namespace {
+
+void readGeneral(ParameterReader& reader, Scenario& scenario) {
+  long seed = static_cast<long>(scenario.seed);
+  reader.integer("seed", seed, 0, std::numeric_limits<long>::max());
+  scenario.seed = static_cast<std::uint64_t>(seed);
+  reader.number("duration_s", scenario.duration, 1.0, kLongest);
+  reader.number("start_time_s", scenario.start_time, 1.0, kLongest);
+  reader.number("truth_period_s", scenario.truth_period, 0.01, 3600.0);
+  ParameterReader origin = reader.map("origin");
+  scaledNumber(origin, "latitude_deg", scenario.origin.latitude, tws::kRadiansPerDegree, -90.0, 90.0);
+  scaledNumber(origin, "longitude_deg", scenario.origin.longitude, tws::kRadiansPerDegree, -360.0, 360.0);
+  origin.number("altitude_m", scenario.origin.altitude, -500.0, 9000.0);
+  origin.done();
+}
+
+/// Names must differ, also those of different lists.
+void refuseSecond(std::set<std::string>& names, const std::string& name, const ParameterReader& reader) {
+  if (!names.insert(name).second) reader.fail("name", "'" + name + "' is used twice");
+}
+
+void readSites(ParameterReader& reader, const ReadingContext& context, Scenario& scenario) {
+  std::set<std::string> names;
+  for (ParameterReader& entry : reader.list("sites")) {
+    Site site;
+    readName(entry, site.name);
+    refuseSecond(names, site.name, entry);
+    site.position = readPlace(entry, context, Eigen::Vector2d(0.0, 0.0));
+    entry.done();
+    scenario.sites.push_back(site);
+  }
+  if (scenario.sites.empty()) scenario.sites.push_back({"origin", {0.0, 0.0}});
+}
+
+void readRadars(ParameterReader& reader, Scenario& scenario) {
+  std::set<std::string> names;
+  for (ParameterReader& entry : reader.list("radars")) {
+    RadarParams radar = readRadar(entry);
+    refuseSecond(names, radar.name, entry);
+    if (radar.site.empty() && scenario.sites.size() > 1) entry.fail("site", "is required, as there are several sites");
+    if (radar.site.empty()) radar.site = scenario.sites.front().name;
+    const auto isItsSite = [&](const Site& site) { return site.name == radar.site; };
+    if (std::none_of(scenario.sites.begin(), scenario.sites.end(), isItsSite)) {
+      entry.fail("site", "there is no site '" + radar.site + "'");
+    }
+    scenario.radars.push_back(radar);
+  }
+}
+
+void readTargets(ParameterReader& reader, const ReadingContext& context, Scenario& scenario) {
+  std::set<std::string> names;
+  const auto add = [&](Target target, const ParameterReader& entry) {
+    refuseSecond(names, target.name, entry);
+    scenario.targets.push_back(std::move(target));
+  };
+  const auto addGroups = [&](const std::string& key, TargetKind kind) {
+    for (ParameterReader& entry : reader.list(key)) {
+      scenario.groups.push_back(readGroup(entry, kind, context));
+      refuseSecond(names, scenario.groups.back().name, entry);
+    }
+  };
+  for (ParameterReader& entry : reader.list("targets")) add(readTarget(entry, context), entry);
+  for (ParameterReader& entry : reader.list("clutter")) add(readClutterPoint(entry, context), entry);
+  addGroups("random_aircraft", TargetKind::kAircraft);
+  addGroups("random_clutter", TargetKind::kClutter);
+  addGroups("random_slow_movers", TargetKind::kSlowMover);
+}
+
+Fault readFault(ParameterReader& reader, const Scenario& scenario) {
+  Fault fault;
+  std::string type;
+  reader.require("type");
+  reader.choice("type", type, {"outage", "missed_scan", "false_alarm_burst"});
+  std::vector<std::string> radars;
+  for (const RadarParams& radar : scenario.radars) radars.push_back(radar.name);
+  reader.require("radar");
+  reader.choice("radar", fault.radar, radars);
+  reader.require("from_s");
+  reader.require("to_s");
+  reader.number("from_s", fault.from, 0.0, kLongest);
+  reader.number("to_s", fault.to, 0.0, kLongest);
+  if (fault.to <= fault.from) reader.fail("to_s", "is not later than from_s");
+  fault.from += scenario.start_time;
+  fault.to += scenario.start_time;
+  if (type == "missed_scan") fault.kind = FaultKind::kMissedScan;
+  if (type == "false_alarm_burst") {
+    fault.kind = FaultKind::kFalseAlarmBurst;
+    reader.require("false_alarms_per_scan");
+    reader.number("false_alarms_per_scan", fault.false_alarms_per_scan, 0.0, 1e6);
+    scaledNumber(reader, "azimuth_from_deg", fault.azimuth_from, tws::kRadiansPerDegree, 0.0, 360.0);
+    scaledNumber(reader, "azimuth_to_deg", fault.azimuth_to, tws::kRadiansPerDegree, 0.0, 720.0);
+    if (fault.azimuth_to <= fault.azimuth_from)
+      reader.fail("azimuth_to_deg", "is not greater than azimuth_from_deg (350 to 370 crosses north)");
+  }
+  reader.done();
+  return fault;
+}
+
+std::string folderOf(const std::string& path) {
+  const std::size_t slash = path.rfind('/');
+  return slash == std::string::npos ? "" : path.substr(0, slash + 1);
+}
+
+}  // namespace
+
+Scenario loadScenario(const std::string& path, const ScenarioOverrides& overrides) {
+  ParameterReader reader(tws_runtime::loadParameterFile(path), path);
+  Scenario scenario;
+  readGeneral(reader, scenario);
+  const ReadingContext context{tws::LocalFrame(scenario.origin), scenario.start_time, folderOf(path)};
+  readSites(reader, context, scenario);
+  readRadars(reader, scenario);
+  readTargets(reader, context, scenario);
+  for (ParameterReader& entry : reader.list("faults")) scenario.faults.push_back(readFault(entry, scenario));
+  reader.done();
+  scenario.seed = overrides.seed.value_or(scenario.seed);
+  scenario.duration = overrides.duration.value_or(scenario.duration);
+  return scenario;
+}
+
+}  // namespace radar_sim
