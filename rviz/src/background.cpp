@@ -64,7 +64,7 @@ Drawing drawBackground(const PpiStyle& style, double spacing) {
   Drawing drawing;
   addSpokes(drawing, style, 0.0);
   addTicks(drawing, style);
-  // Half a spacing of slack: the last ring but one shall not crowd the rim.
+  // A ring nearer to the rim than a quarter of the spacing would only crowd it.
   for (int i = 1; i * spacing < style.range - 0.25 * spacing; ++i) addRing(drawing, style, i * spacing);
   addRing(drawing, style, style.range);
   return drawing;

@@ -5,7 +5,7 @@
 
 namespace tws_rviz {
 
-/// Distance between range rings [m], 1, 2 or 5 times a power of ten, that gives 3 to 6 rings. `range` > 0 [m].
+/// Distance between range rings [m], 1, 2 or 5 times a power of ten, that gives 4 to 10 rings. `range` > 0 [m].
 double ringSpacing(double range);
 
 /// The fixed picture: range rings with their distance in km, a spoke every 30° with its bearing, ticks every 5° at the

@@ -19,9 +19,12 @@ void addQuad(Drawing& drawing, const Eigen::Vector2d& a, const Eigen::Vector2d& 
 // Share of the line height that a character is wide: the advances of Liberation Sans over its line height. RViz makes a
 // space as wide as an 'A'.
 double characterWidth(char c) {
+  static const std::string narrow = "ijl";
+  static const std::string slim = "ft.,:/I";
+  if (narrow.find(c) != std::string::npos) return 0.19;
+  if (slim.find(c) != std::string::npos) return 0.23;
   if (c >= '0' && c <= '9') return 0.466;
-  if (c >= 'a' && c <= 'z') return 0.45;
-  return c == '.' || c == ':' || c == 'I' ? 0.24 : 0.56;
+  return c >= 'a' && c <= 'z' ? 0.45 : 0.57;
 }
 
 }  // namespace

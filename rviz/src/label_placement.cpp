@@ -9,6 +9,10 @@ namespace {
 // More labels than this cannot be read anyway, and to compare all with all would take long.
 constexpr std::size_t kMostPlaced = 800;
 
+// Half the side of the square that a symbol takes, as a share of the gap; less than the root of 1/2, so that a label on
+// a slanting side is clear of its own symbol.
+constexpr double kSymbolShare = 0.7;
+
 struct Box {
   Eigen::Vector2d centre;
   Eigen::Vector2d size;
@@ -28,7 +32,7 @@ double covered(const Box& box, const std::vector<Box>& others) {
 std::vector<Box> symbolBoxes(const std::vector<LabelRequest>& requests) {
   std::vector<Box> boxes;
   for (const LabelRequest& request : requests)
-    boxes.push_back({request.symbol, Eigen::Vector2d::Constant(2.0 * request.gap)});
+    boxes.push_back({request.symbol, Eigen::Vector2d::Constant(2.0 * kSymbolShare * request.gap)});
   return boxes;
 }
 

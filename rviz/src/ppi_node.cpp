@@ -73,7 +73,7 @@ class PpiNode::Impl {
         trackers_heard_(params_.trackers.size(), false) {
     for (const RadarParams& radar : params_.radars) radars_.push_back({radar, {}, {}, {}, false});
     subscribeAll();
-    background_.show(drawBackground(style_, spacing_), ros::Time());
+    background_screen_.show(drawBackground(style_, spacing_), ros::Time());
     bus.everyWall(1.0 / params_.redraw_rate, [this] { whenRunning([this](ros::Time now) { drawFast(now); }); });
     bus.everyWall(1.0 / params_.track_rate, [this] { whenRunning([this](ros::Time now) { drawSlow(now); }); });
   }
@@ -229,7 +229,7 @@ class PpiNode::Impl {
     Drawing drawing;
     if (isOld(clutter_, now)) return drawing;
     for (const ClutterMark& mark : clutter_.items)
-      addCross(drawing, mark.position, style_.symbol, tws::kPi / 4.0, style_.line,
+      addCross(drawing, mark.position, style_.clutter_mark, tws::kPi / 4.0, style_.line,
                faded(style_.clutter, mark.absorbing ? 1.0 : 0.4));
     return drawing;
   }
@@ -265,10 +265,10 @@ class PpiNode::Impl {
   ros::Time latest_;
 
   // From the bottom to the top.
-  Screen background_{bus_, params_.frame, "background", 0.0, true};
+  Screen background_screen_{bus_, params_.frame, "background", 0.0, true};
   Screen sweep_screen_{bus_, params_.frame, "sweep", 1.0};
-  Screen clutter_screen_{bus_, params_.frame, "clutter", 2.0};
-  Screen detection_screen_{bus_, params_.frame, "detections", 3.0};
+  Screen detection_screen_{bus_, params_.frame, "detections", 2.0};
+  Screen clutter_screen_{bus_, params_.frame, "clutter", 3.0};
   Screen truth_screen_{bus_, params_.frame, "truth", 4.0};
   Screen track_screen_{bus_, params_.frame, "tracks", 5.0};
   Screen status_screen_{bus_, params_.frame, "status", 6.0};

@@ -1,7 +1,5 @@
 #include "ppi_params.h"
 
-#include <tws_core/units.h>
-
 namespace tws_rviz {
 namespace {
 

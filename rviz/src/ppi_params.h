@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include <tws_core/units.h>
 #include <tws_runtime/parameters.h>
 
 #include "drawing.h"
@@ -25,14 +26,14 @@ struct TrackerParams {
 
 /// Parameters of the PPI; config/ppi.yaml is the reference.
 struct PpiParams {
-  std::string frame = "map";        // of the markers
-  double picture_range = 200000.0;  // radius of the picture [m]
-  double ring_spacing = 0.0;        // between range rings [m]; 0: chosen by the range
-  double text_scale = 1.0;          // of all text
-  double redraw_rate = 20.0;        // of sweep and detections, in wall time [Hz]
-  double track_rate = 5.0;          // of tracks, clutter and truth at most, in wall time [Hz]
-  double afterglow = 1.0471975512;  // angle that glows behind the beam [rad]
-  double persistence_scans = 2.0;   // scans after which a detection has faded
+  std::string frame = "map";              // of the markers
+  double picture_range = 200000.0;        // radius of the picture [m]
+  double ring_spacing = 0.0;              // between range rings [m]; 0: chosen by the range
+  double text_scale = 1.0;                // of all text
+  double redraw_rate = 20.0;              // of sweep and detections, in wall time [Hz]
+  double track_rate = 5.0;                // of tracks, clutter and truth at most, in wall time [Hz]
+  double afterglow = tws::radians(60.0);  // angle that glows behind the beam [rad]
+  double persistence_scans = 2.0;         // scans after which a detection has faded
   TrackLook tracks;
   std::string clutter_topic = "/adit/clutter_map";  // empty: none
   bool truth = false;

@@ -13,16 +13,18 @@ struct PpiStyle {
         symbol(0.017 * range),
         dot(0.006 * range),
         blip(0.016 * range),
+        clutter_mark(0.03 * range),
         text(0.034 * range * text),
         small_text(0.03 * range * text) {}
 
   double range;
-  double line;    // width of thin lines
-  double symbol;  // radius of a firm track's symbol
-  double dot;     // of trails
-  double blip;    // length of a detection
-  double text;
-  double small_text;
+  double line;          // width of thin lines
+  double symbol;        // radius of a firm track's symbol
+  double dot;           // size of a trail's dots
+  double blip;          // length of a detection
+  double clutter_mark;  // length of its strokes
+  double text;          // line height of scales and status
+  double small_text;    // line height of track labels and ring distances
 
   Rgba ring{0.0f, 0.42f, 0.10f, 1.0f};
   Rgba spoke{0.0f, 0.26f, 0.07f, 1.0f};

@@ -8,7 +8,7 @@ namespace {
 
 // The corners of the square round the picture, bearings included.
 constexpr double kLeft = -1.07;
-constexpr double kTop = 1.09;
+constexpr double kTop = 1.07;
 constexpr double kRight = 0.76;
 
 // Writes lines one below the other.

@@ -1,0 +1,155 @@
+#include "track_picture.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+
+namespace tws_rviz {
+namespace {
+
+const PpiStyle kStyle(200e3);
+const TrackLook kLook{60.0, 120.0, 30.0};
+
+TrackReport report(std::uint32_t uid, TrackState state, double heard, double x = 1000.0) {
+  TrackReport report;
+  report.uid = uid;
+  report.state = state;
+  report.heard = heard;
+  report.position = {x, 50e3};
+  report.velocity = {200.0, 0.0};
+  report.name = std::to_string(uid);
+  report.identity = "4271 F350";
+  return report;
+}
+
+Drawing drawn(TrackPicture& tracks, double time) {
+  Drawing drawing;
+  tracks.draw(drawing, time, kStyle);
+  return drawing;
+}
+
+double eastEnd(const Drawing& drawing) {
+  double east = -1e9;
+  for (const Vertex& vertex : drawing.triangles) east = std::max(east, vertex.position.x());
+  return east;
+}
+
+// The leader is how an operator reads speed and course.
+TEST(TrackPicture, TheSpeedLeaderEndsWhereTheTrackWillBeInAMinute) {
+  TrackPicture tracks(kLook);
+  tracks.hear(report(7, TrackState::kFirm, 100.0, 1000.0));
+  EXPECT_NEAR(eastEnd(drawn(tracks, 100.0)), 1000.0 + 60.0 * 200.0, 1e-6);
+}
+
+TEST(TrackPicture, ATrackWithoutVelocityHasNeitherLeaderNorSpeed) {
+  TrackPicture tracks(kLook);
+  TrackReport silent = report(7, TrackState::kFirm, 100.0, 1000.0);
+  silent.velocity = {NAN, NAN};
+  silent.identity.clear();
+  tracks.hear(silent);
+  const Drawing drawing = drawn(tracks, 100.0);
+  EXPECT_LT(eastEnd(drawing), 1000.0 + 2.0 * kStyle.symbol);
+  EXPECT_EQ(drawing.labels.at(0).text, "7");
+  for (const Vertex& vertex : drawing.triangles) EXPECT_TRUE(vertex.position.allFinite());
+}
+
+// 200 m/s are 388.8 kn.
+TEST(TrackPicture, TheLabelSaysNumberSpeedAndIdentity) {
+  TrackPicture tracks(kLook);
+  tracks.hear(report(17, TrackState::kFirm, 100.0));
+  EXPECT_EQ(drawn(tracks, 100.0).labels.at(0).text, "17\n389kn\n4271 F350");
+}
+
+TEST(TrackPicture, ATentativeTrackShowsItsNumberOnly) {
+  TrackPicture tracks(kLook);
+  tracks.hear(report(17, TrackState::kTentative, 100.0));
+  EXPECT_EQ(drawn(tracks, 100.0).labels.at(0).text, "17");
+}
+
+// The operator must see at once which tracks are believed and which are guessed.
+TEST(TrackPicture, TheThreeStatesDifferInShapeAndColour) {
+  std::set<std::size_t> sizes;
+  std::set<float> blues;
+  std::set<double> widths;
+  for (const TrackState state : {TrackState::kTentative, TrackState::kFirm, TrackState::kCoasting}) {
+    TrackPicture tracks(kLook);
+    TrackReport still = report(1, state, 100.0, 0.0);
+    still.velocity = {0.0, 0.0};
+    tracks.hear(still);
+    const Drawing drawing = drawn(tracks, 100.0);
+    blues.insert(drawing.triangles.at(0).color.b);
+    widths.insert(eastEnd(drawing));
+  }
+  EXPECT_EQ(blues.size(), 3u);
+  EXPECT_EQ(widths.size(), 3u);
+}
+
+// A dropped track that stayed would be a ghost aircraft.
+TEST(TrackPicture, ADroppedTrackVanishes) {
+  TrackPicture tracks(kLook);
+  tracks.hear(report(7, TrackState::kFirm, 100.0));
+  tracks.hear(report(8, TrackState::kFirm, 100.0, 80e3));
+  tracks.hear(report(7, TrackState::kDropped, 106.0));
+  const Drawing drawing = drawn(tracks, 106.0);
+  ASSERT_EQ(drawing.labels.size(), 1u);
+  EXPECT_EQ(drawing.labels[0].text.substr(0, 2), "8\n");
+}
+
+// When a tracker stops, its picture must not stay as if it were true.
+TEST(TrackPicture, TracksOfASilentTrackerVanishAfterTheTimeOut) {
+  TrackPicture tracks(kLook);
+  tracks.hear(report(7, TrackState::kFirm, 100.0));
+  tracks.expire(130.0);
+  EXPECT_FALSE(drawn(tracks, 130.0).triangles.empty());
+  tracks.expire(130.1);
+  const Drawing drawing = drawn(tracks, 130.1);
+  EXPECT_TRUE(drawing.triangles.empty());
+  EXPECT_TRUE(drawing.labels.empty());
+}
+
+// Two trackers number their tracks on their own.
+TEST(TrackPicture, TracksOfTwoTrackersWithTheSameNumberAreTwo) {
+  TrackPicture tracks(kLook);
+  TrackReport other = report(7, TrackState::kCoasting, 100.0, 90e3);
+  other.source = 1;
+  tracks.hear(report(7, TrackState::kFirm, 100.0));
+  tracks.hear(other);
+  const Drawing drawing = drawn(tracks, 100.0);
+  ASSERT_EQ(drawing.labels.size(), 2u);
+  EXPECT_NE(drawing.labels[0].id, drawing.labels[1].id);
+  EXPECT_EQ(tracks.counts(0), (std::array<int, 3>{0, 1, 0}));
+  EXPECT_EQ(tracks.counts(1), (std::array<int, 3>{0, 0, 1}));
+}
+
+TEST(TrackPicture, ALabelKeepsItsNumberWhileTheTrackLives) {
+  TrackPicture tracks(kLook);
+  tracks.hear(report(7, TrackState::kTentative, 100.0));
+  const std::uint32_t id = drawn(tracks, 100.0).labels.at(0).id;
+  tracks.hear(report(7, TrackState::kFirm, 106.0));
+  EXPECT_EQ(drawn(tracks, 106.0).labels.at(0).id, id);
+}
+
+// The trail shows a turn that the present velocity hides. Dots lie where the track was 10 s, 20 s ... ago.
+TEST(TrackPicture, TheTrailShowsWhereTheTrackWas) {
+  TrackPicture tracks(kLook);
+  for (int i = 0; i <= 30; ++i) tracks.hear(report(7, TrackState::kFirm, 10.0 * i, 2000.0 * i));
+  double west = 1e9;
+  const Drawing drawing = drawn(tracks, 300.0);
+  for (const Vertex& vertex : drawing.triangles)
+    if (vertex.color.a > 0.0f) west = std::min(west, vertex.position.x());
+  // Trail time is 120 s; the dot that is exactly so old has faded to nothing, so the oldest one seen is of 190 s.
+  EXPECT_NEAR(west, 2000.0 * 19 - 0.5 * kStyle.dot, 1e-6);
+}
+
+// Over a long run each track's memory is bounded: 12 dots, whatever the rate of updates.
+TEST(TrackPicture, TheTrailHasAtMostADozenDots) {
+  TrackPicture tracks(kLook);
+  tracks.hear(report(7, TrackState::kFirm, 0.0));
+  const std::size_t bare = drawn(tracks, 0.0).triangles.size();
+  for (int i = 1; i < 10000; ++i) tracks.hear(report(7, TrackState::kFirm, 0.1 * i));
+  EXPECT_LE(drawn(tracks, 999.9).triangles.size(), bare + 13 * 6);
+}
+
+}  // namespace
+}  // namespace tws_rviz
