@@ -1,0 +1,96 @@
+#include "ppi_picture.h"
+
+#include <tws_core/angles.h>
+
+#include "background.h"
+
+namespace tws_rviz {
+namespace {
+
+// Until a radar's rotation period is known [s].
+constexpr double kAssumedPeriod = 10.0;
+constexpr double kProbationOpacity = 0.4;
+
+}  // namespace
+
+PpiPicture::PpiPicture(const PpiParams& params)
+    : params_(params),
+      style_(params.picture_range, params.text_scale),
+      tracks_(params.tracks),
+      trackers_heard_(params.trackers.size(), false) {
+  for (const RadarParams& radar : params.radars) radars_.push_back({radar, {}, {}, {}, false});
+}
+
+void PpiPicture::hear(std::size_t radar, const BeamMark& mark, const PlanarFrame& site) {
+  radars_[radar].sweep.mark(mark);
+  radars_[radar].site = site;
+  radars_[radar].heard = true;
+}
+
+void PpiPicture::hear(std::size_t radar, const Blip& detection) {
+  radars_[radar].detections.add(detection, persistence(radars_[radar]));
+}
+
+Drawing PpiPicture::background() const { return drawBackground(style_, spacing()); }
+
+Drawing PpiPicture::sweeps(double time) const {
+  Drawing drawing;
+  for (const Radar& radar : radars_)
+    if (const auto azimuth = radar.sweep.azimuthAt(time))
+      addSweep(drawing, radar.site.origin, *azimuth + radar.site.turn,
+               {radar.params.color, params_.afterglow, style_.range, style_.line});
+  return drawing;
+}
+
+Drawing PpiPicture::detections(double time) const {
+  Drawing drawing;
+  for (const Radar& radar : radars_)
+    radar.detections.draw(drawing, time, persistence(radar), style_.blip, radar.params.color);
+  return drawing;
+}
+
+Drawing PpiPicture::clutter(double time) const {
+  Drawing drawing;
+  if (isOld(clutter_.time, time)) return drawing;
+  for (const ClutterMark& mark : clutter_.items)
+    addCross(drawing, mark.position, style_.clutter_mark, tws::kPi / 4.0, style_.line,
+             faded(style_.clutter, mark.absorbing ? 1.0 : kProbationOpacity));
+  return drawing;
+}
+
+Drawing PpiPicture::truth(double time) const {
+  Drawing drawing;
+  if (isOld(truth_.time, time)) return drawing;
+  for (const Eigen::Vector2d& position : truth_.items)
+    addCross(drawing, position, 2.0 * style_.symbol, 0.0, style_.line, style_.truth);
+  return drawing;
+}
+
+Drawing PpiPicture::tracks(double time) {
+  Drawing drawing;
+  tracks_.expire(time);
+  tracks_.draw(drawing, time, style_);
+  return drawing;
+}
+
+Drawing PpiPicture::status(double time) const {
+  PpiStatus status{time, spacing(), {}, {}};
+  for (const Radar& radar : radars_)
+    if (radar.heard)
+      status.radars.push_back({radar.params.name, radar.params.color, radar.sweep.rotationPeriod(),
+                               radar.sweep.azimuthAt(time).has_value()});
+  for (std::size_t i = 0; i < params_.trackers.size(); ++i)
+    if (trackers_heard_[i]) status.trackers.push_back({params_.trackers[i].name, tracks_.counts(i)});
+  return drawStatus(style_, status);
+}
+
+double PpiPicture::persistence(const Radar& radar) const {
+  const double period = radar.sweep.rotationPeriod();
+  return params_.persistence_scans * (period > 0.0 ? period : kAssumedPeriod);
+}
+
+double PpiPicture::spacing() const {
+  return params_.ring_spacing > 0.0 ? params_.ring_spacing : ringSpacing(params_.picture_range);
+}
+
+}  // namespace tws_rviz

@@ -1,0 +1,75 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "fading_detections.h"
+#include "planar_frame.h"
+#include "ppi_params.h"
+#include "ppi_style.h"
+#include "status_board.h"
+#include "sweep.h"
+#include "track_picture.h"
+
+namespace tws_rviz {
+
+struct ClutterMark {
+  Eigen::Vector2d position;  // [m]
+  bool absorbing = true;     // false: still on probation
+};
+
+/// All that a PPI shows: what was heard last of radars and trackers, drawn layer by layer for any instant of data time
+/// [s]. Radars and trackers are known by their place in the parameters' lists.
+class PpiPicture {
+ public:
+  explicit PpiPicture(const PpiParams& params);
+
+  /// `site`: where the radar stands.
+  void hear(std::size_t radar, const BeamMark& mark, const PlanarFrame& site);
+  void hear(std::size_t radar, const Blip& detection);
+  /// A tracker speaks, even if it has no tracks.
+  void hearTracker(std::size_t tracker) { trackers_heard_[tracker] = true; }
+  void hear(const TrackReport& report) { tracks_.hear(report); }
+  /// The whole clutter map of `time`, or all true positions.
+  void hearClutter(double time, std::vector<ClutterMark> marks) { clutter_ = {time, std::move(marks)}; }
+  void hearTruth(double time, std::vector<Eigen::Vector2d> positions) { truth_ = {time, std::move(positions)}; }
+
+  Drawing background() const;
+  Drawing sweeps(double time) const;
+  Drawing detections(double time) const;
+  Drawing clutter(double time) const;
+  Drawing truth(double time) const;
+  /// Also forgets the tracks that are too old, and places the labels.
+  Drawing tracks(double time);
+  /// Radars and trackers that were never heard are not mentioned.
+  Drawing status(double time) const;
+
+ private:
+  struct Radar {
+    RadarParams params;
+    PlanarFrame site;
+    Sweep sweep;
+    FadingDetections detections;
+    bool heard = false;
+  };
+  // What one message brings whole, shown until the next one or until it is too old.
+  template <class T>
+  struct Snapshot {
+    double time = 0.0;
+    std::vector<T> items;
+  };
+
+  double persistence(const Radar& radar) const;
+  double spacing() const;
+  bool isOld(double heard, double time) const { return time - heard > params_.tracks.timeout; }
+
+  PpiParams params_;
+  PpiStyle style_;
+  std::vector<Radar> radars_;
+  TrackPicture tracks_;
+  std::vector<bool> trackers_heard_;
+  Snapshot<ClutterMark> clutter_;
+  Snapshot<Eigen::Vector2d> truth_;
+};
+
+}  // namespace tws_rviz

@@ -1,0 +1,86 @@
+#include "ppi_picture.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <tws_core/angles.h>
+
+namespace tws_rviz {
+namespace {
+
+PpiParams params() {
+  PpiParams params;
+  params.radars = {{"sps12", "", "", {0.0f, 1.0f, 0.0f, 1.0f}}, {"sps39", "", "", {0.0f, 0.0f, 1.0f, 1.0f}}};
+  params.trackers = {{"adit", "", ""}, {"ssr", "", "S"}};
+  return params;
+}
+
+bool says(const Drawing& drawing, const std::string& text) {
+  return std::any_of(drawing.labels.begin(), drawing.labels.end(),
+                     [&](const Label& label) { return label.text == text; });
+}
+
+// "About two scans" is twelve seconds for one radar and sixteen for the other.
+TEST(PpiPicture, DetectionsFadeOverTwoScansOfTheirOwnRadar) {
+  PpiPicture picture(params());
+  picture.hear(0, BeamMark{100.0, 0, 0, 6.0}, {});
+  picture.hear(1, BeamMark{100.0, 0, 0, 8.0}, {});
+  picture.hear(0, Blip{100.0, {1000.0, 0.0}, 0.0});
+  picture.hear(1, Blip{100.0, {2000.0, 0.0}, 0.0});
+  EXPECT_EQ(picture.detections(111.0).triangles.size(), 12u);
+  const Drawing later = picture.detections(113.0);
+  ASSERT_EQ(later.triangles.size(), 6u);
+  EXPECT_FLOAT_EQ(later.triangles[0].color.b, 1.0f);
+  EXPECT_TRUE(picture.detections(117.0).triangles.empty());
+}
+
+// A radar on the coast, its north turned by 10 degrees: its beam starts at its mast and points by its own north.
+TEST(PpiPicture, ASweepStartsAtItsRadarsSiteInItsOwnNorth) {
+  PpiPicture picture(params());
+  const PlanarFrame site{{30e3, -20e3}, tws::kPi / 18.0};
+  picture.hear(0, BeamMark{100.0, 16, 16, 6.0}, site);
+  const Drawing drawing = picture.sweeps(100.0);
+  const Vertex& mast = drawing.triangles.front();
+  EXPECT_NEAR((mast.position - site.origin).norm(), 0.0, 1e-9);
+  const Eigen::Vector2d rim = drawing.triangles[1].position;
+  EXPECT_NEAR(rim.norm(), 200e3, 1e-3);
+  const Eigen::Vector2d beam = rim - site.origin;
+  EXPECT_NEAR(std::atan2(beam.x(), beam.y()), tws::kPi / 2.0 + tws::kPi / 18.0, 1e-9);
+}
+
+// When the tracker stops, its clutter map must not stay as if it were still in use.
+TEST(PpiPicture, ClutterAndTruthVanishAfterTheTimeOut) {
+  PpiPicture picture(params());
+  picture.hearClutter(100.0, {{{1000.0, 0.0}, true}, {{2000.0, 0.0}, false}});
+  picture.hearTruth(100.0, {{3000.0, 0.0}});
+  const Drawing clutter = picture.clutter(101.0);
+  EXPECT_EQ(clutter.triangles.size(), 24u);
+  EXPECT_LT(clutter.triangles.back().color.a, clutter.triangles.front().color.a);
+  EXPECT_EQ(picture.truth(101.0).triangles.size(), 12u);
+  EXPECT_TRUE(picture.clutter(131.0).triangles.empty());
+  EXPECT_TRUE(picture.truth(131.0).triangles.empty());
+}
+
+TEST(PpiPicture, TheStatusNamesOnlyWhatWasHeard) {
+  PpiPicture picture(params());
+  picture.hear(1, BeamMark{100.0, 0, 0, 8.0}, {});
+  picture.hearTracker(0);
+  const Drawing status = picture.status(101.0);
+  EXPECT_TRUE(says(status, "sps39  8.0 s"));
+  EXPECT_TRUE(says(status, "adit"));
+  EXPECT_FALSE(says(status, "ssr"));
+  for (const Label& label : status.labels) EXPECT_EQ(label.text.find("sps12"), std::string::npos);
+  EXPECT_TRUE(says(picture.status(105.0), "sps39  silent"));
+}
+
+TEST(PpiPicture, RingsStandAsFarApartAsSaid) {
+  PpiParams wide = params();
+  wide.ring_spacing = 25e3;
+  EXPECT_TRUE(says(PpiPicture(wide).background(), "175"));
+  EXPECT_FALSE(says(PpiPicture(params()).background(), "175"));
+}
+
+}  // namespace
+}  // namespace tws_rviz
