@@ -1,0 +1,118 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "adit_params.h"
+#include "clutter_map.h"
+#include "correlator.h"
+#include "executive.h"
+#include "radar_state.h"
+#include "track_file.h"
+#include "track_life.h"
+#include "track_motion.h"
+
+namespace adit_tracker {
+
+/// What happened to a track when a sector was processed.
+enum class TrackEvent { kStarted, kUpdated, kCoasted, kDropped };
+
+struct TrackWord {
+  TrackFile::Slot slot;
+  TrackEvent event;
+  double time;  // of the detection, or of the illumination without one
+};
+
+/// One processed sector of one radar.
+struct SectorReport {
+  std::size_t radar = 0;
+  std::int64_t running = 0;
+  double enter_time = 0.0;
+  std::vector<TrackWord> words;  // valid during the call
+};
+
+/// Totals since the start.
+struct AditCounts {
+  std::uint64_t sectors = 0, plots = 0, rejected_plots = 0, late_sectors = 0;
+  std::uint64_t tracks_started = 0, tracks_firm = 0, tracks_dropped = 0;
+  std::uint64_t refused_tracks = 0, refused_clutter = 0;  // for want of numbers
+  std::uint64_t to_clutter = 0, to_track = 0;             // conversions
+};
+
+/// The tracker of NRL Report 7952 for up to eight radars at one site: detections of asynchronously scanning radars
+/// become one set of tracks. Same sectors in, same tracks out, whatever the order in which the radars' sectors arrive
+/// (see Executive).
+class Adit {
+ public:
+  using Sink = std::function<void(const SectorReport&)>;
+
+  /// Throws std::invalid_argument (see check). `sink` is called for every sector processed; it may be empty.
+  Adit(const AditParams& params, Sink sink);
+
+  /// Takes in a closed sector of a radar (index in params.radars) and processes what has become ready. Within a radar,
+  /// sectors come in order: one that does not is refused by std::invalid_argument. Plots that are not finite or have no
+  /// positive range are left out and counted.
+  void add(std::size_t radar, const tws::RadarSector& sector);
+
+  /// No more data will come: processes what is left.
+  void finish();
+
+  const TrackFile& tracks() const { return tracks_; }
+  /// Every living track, by sector.
+  std::vector<TrackFile::Slot> living() const;
+  /// A track at any instant, by its filter.
+  Extrapolation at(TrackFile::Slot slot, double time) const { return motion_.at(tracks_.at(slot), time); }
+  /// Firm, and not in doubt after missed illuminations.
+  bool believed(const Track& track) const { return judge_.believed(track); }
+  /// The clutter maps: one, or one for each radar.
+  const std::vector<ClutterMap>& clutter() const { return clutter_; }
+  const RadarQuality& quality(std::size_t radar) const { return radars_[radar].quality; }
+  const AditCounts& counts() const { return counts_; }
+  const AditParams& params() const { return params_; }
+
+ private:
+  using Slots = std::vector<TrackFile::Slot>;
+
+  void run();
+  void process(const Executive::Turn& turn);
+  void mapClutter(const Executive::Turn& turn);
+  void correlate(const Executive::Turn& turn);
+  bool tellsErrors(const Track& track, const tws::Plot& plot) const;
+  void update(const Executive::Turn& turn, TrackFile::Slot slot, Detection& detection);
+  void miss(const Executive::Turn& turn, TrackFile::Slot slot);
+  void initiate(const Executive::Turn& turn);
+  bool startTrack(std::size_t radar, const tws::Plot& plot);
+  void convertSlowTracks(const Executive::Turn& turn);
+  bool hasBecomeSlow(Track& track, double judge_after) const;
+  void moveOn(TrackFile::Slot slot, std::size_t radar);
+  void drop(TrackFile::Slot slot, double time);
+
+  void listSector(const Executive::Turn& turn, std::int64_t running, Slots& slots);
+  void aimAt(Track& track, std::size_t radar, std::int64_t running);
+  void predictNext(Track& track);
+  double nextIllumination(const Track& track, std::size_t radar) const;
+  bool wouldMissUpdate(int from, int to, std::size_t radar) const;
+  std::optional<double> judgeAfter(std::size_t radar, std::int64_t running, long offset) const;
+  ClutterMap& clutterOf(std::size_t radar) { return clutter_[clutter_.size() == 1 ? 0 : radar]; }
+  RadarState& radarOf(const Executive::Turn& turn) { return radars_[turn.radar]; }
+
+  AditParams params_;
+  Sink sink_;
+  std::size_t reference_;
+  Executive executive_;
+  std::vector<RadarState> radars_;
+  TrackFile tracks_;
+  std::vector<ClutterMap> clutter_;
+  Correlator correlator_;
+  TrackMotion motion_;
+  TrackJudge judge_;
+  AditCounts counts_;
+
+  // Of the sector being processed; kept to save allocations.
+  SectorReport report_;
+  Slots primary_, secondary_, dropped_;
+};
+
+}  // namespace adit_tracker

@@ -1,0 +1,180 @@
+#include <adit_tracker/adit_node.h>
+
+#include <tws_msgs/ClutterMap.h>
+#include <tws_msgs/Tracks.h>
+#include <tws_runtime/conversions.h>
+#include <tws_runtime/parameters.h>
+#include <tws_runtime/radar_inputs.h>
+
+#include <cmath>
+#include <deque>
+#include <optional>
+
+#include "adit.h"
+#include "adit_params_reader.h"
+#include "track_messages.h"
+
+namespace adit_tracker {
+namespace {
+
+using tws_runtime::Bus;
+using tws_runtime::RadarInputs;
+
+struct NodeParams {
+  AditParams adit;
+  std::string frame = "map";  // of positions
+  RadarInputs::Options inputs;
+};
+
+NodeParams readNodeParams(Bus& bus) {
+  tws_runtime::ParameterReader reader(bus.parameters(), bus.name());
+  NodeParams params;
+  reader.require("radars");
+  params.adit = readAditParams(reader);
+  reader.text("frame", params.frame);
+  reader.number("wait_limit_s", params.inputs.wait_limit, 0.0, 60.0);
+  reader.number("restart_limit_s", params.inputs.restart_limit, 0.5, 3600.0);
+  reader.done();
+  try {
+    check(params.adit);
+  } catch (const std::invalid_argument& error) {
+    throw tws_runtime::ParameterError(bus.name() + ": " + error.what());
+  }
+  return params;
+}
+
+std::vector<tws_runtime::RadarTopics> topicsOf(const AditParams& params) {
+  std::vector<tws_runtime::RadarTopics> topics;
+  for (const RadarParams& radar : params.radars) topics.push_back(tws_runtime::usualTopics(radar.name));
+  return topics;
+}
+
+// Radars further apart than this do not see a target in the same polar coordinates.
+constexpr double kSameSite = 100.0;  // [m]
+// Sectors of a radar that wait for its site: two turns.
+constexpr std::size_t kMostWaiting = 2 * tws::kSectors;
+
+}  // namespace
+
+class AditNode::Impl {
+ public:
+  explicit Impl(Bus& bus)
+      : bus_(bus),
+        params_(readNodeParams(bus)),
+        tracks_(bus.advertise<tws_msgs::Tracks>("/" + bus.name() + "/tracks")),
+        clutter_(bus.advertise<tws_msgs::ClutterMap>("/" + bus.name() + "/clutter_map", true)),
+        waiting_(params_.adit.radars.size()),
+        sites_(params_.adit.radars.size()),
+        inputs_(
+            bus, topicsOf(params_.adit), params_.inputs,
+            [this](std::size_t radar, tws::RadarSector sector) { onSector(radar, std::move(sector)); },
+            [this](double) { begin(); }) {
+    begin();
+  }
+
+ private:
+  /// A new run: nothing of the old one stays, but for the sites.
+  void begin() {
+    for (auto& queue : waiting_) queue.clear();
+    totals_ = AditCounts{};
+    adit_.emplace(params_.adit, [this](const SectorReport& report) { publish(report); });
+  }
+
+  void onSector(std::size_t radar, tws::RadarSector sector) {
+    waiting_[radar].push_back(std::move(sector));
+    if (!sites_[radar] && !findSite(radar)) return;
+    while (!waiting_[radar].empty()) {
+      if (sites_[radar]->usable) adit_->add(radar, waiting_[radar].front());
+      waiting_[radar].pop_front();
+    }
+    countTroubles();
+  }
+
+  /// False: the radar's sectors wait for its site.
+  bool findSite(std::size_t radar) {
+    const std::string& frame = inputs_.frame(radar);
+    std::string why;
+    if (bus_.transforms().canTransform(params_.frame, frame, ros::Time(0), &why)) {
+      const auto transform = bus_.transforms().lookupTransform(params_.frame, frame, ros::Time(0));
+      settle(radar, transform.transform.translation.x, transform.transform.translation.y);
+      return true;
+    }
+    if (waiting_[radar].size() <= kMostWaiting) return false;
+    bus_.counter("unknown sites")
+        .add("no transform from " + frame + " to " + params_.frame + "; taken as its origin: " + why);
+    settle(radar, 0.0, 0.0);
+    return true;
+  }
+
+  void settle(std::size_t radar, double x, double y) {
+    if (!origin_) origin_ = Site{x, y, true};
+    const double distance = std::hypot(x - origin_->x, y - origin_->y);
+    sites_[radar] = Site{x, y, distance <= kSameSite};
+    if (sites_[radar]->usable) return;
+    bus_.counter("radars at another site")
+        .add(params_.adit.radars[radar].name + " stands " + std::to_string(std::lround(distance)) +
+             " m from the other radars; its detections are left out");
+  }
+
+  void publish(const SectorReport& report) {
+    tws_msgs::Tracks message;
+    message.header.stamp = tws_runtime::toTime(report.enter_time);
+    message.header.frame_id = params_.frame;
+    message.tracker = bus_.name();
+    message.radar = params_.adit.radars[report.radar].name;
+    message.running_sector = static_cast<std::uint32_t>(report.running);
+    message.sector = static_cast<std::uint8_t>(report.running % tws::kSectors);
+    message.sequence = sequence_++;
+    for (const TrackWord& word : report.words) {
+      message.tracks.push_back(trackMessage(*adit_, word, origin_->x, origin_->y));
+    }
+    tracks_.publish(message);
+    if (message.sector == 0) publishClutter(report);
+  }
+
+  /// Once a turn of each radar.
+  void publishClutter(const SectorReport& report) {
+    tws_msgs::ClutterMap message = clutterMessage(*adit_);
+    message.header.stamp = tws_runtime::toTime(report.enter_time);
+    message.header.frame_id = inputs_.frame(report.radar);
+    message.tracker = bus_.name();
+    clutter_.publish(message);
+  }
+
+  void countTroubles() {
+    const AditCounts& now = adit_->counts();
+    const auto count = [&](const char* name, std::uint64_t AditCounts::*member, const std::string& reason) {
+      for (std::uint64_t n = totals_.*member; n < now.*member; ++n) bus_.counter(name).add(reason);
+    };
+    count("refused tracks", &AditCounts::refused_tracks,
+          "all " + std::to_string(params_.adit.capacity - 1) + " track numbers are in use");
+    count("refused clutter points", &AditCounts::refused_clutter, "all clutter numbers are in use");
+    count("late sectors", &AditCounts::late_sectors,
+          "a radar's data came more than " + std::to_string(params_.adit.skew_limit) + " s after the others'");
+    count("rejected plots", &AditCounts::rejected_plots,
+          "range, azimuth or time is no number, or range is not positive");
+    totals_ = now;
+  }
+
+  struct Site {
+    double x, y;
+    bool usable;
+  };
+
+  Bus& bus_;
+  NodeParams params_;
+  tws_runtime::Publisher<tws_msgs::Tracks> tracks_;
+  tws_runtime::Publisher<tws_msgs::ClutterMap> clutter_;
+  std::vector<std::deque<tws::RadarSector>> waiting_;
+  std::vector<std::optional<Site>> sites_;
+  std::optional<Site> origin_;
+  std::uint32_t sequence_ = 0;
+  AditCounts totals_;
+  std::optional<Adit> adit_;
+  RadarInputs inputs_;
+};
+
+AditNode::AditNode(tws_runtime::Bus& bus) : impl_(std::make_unique<Impl>(bus)) {}
+AditNode::~AditNode() = default;
+
+}  // namespace adit_tracker

@@ -1,0 +1,118 @@
+#include "adit_params.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <sstream>
+#include <stdexcept>
+
+#include "track.h"
+
+namespace adit_tracker {
+namespace {
+
+void require(bool good, const std::string& name, double value, const std::string& range) {
+  if (good) return;
+  std::ostringstream text;
+  text << name << ": " << value << " is not in " << range;
+  throw std::invalid_argument(text.str());
+}
+
+void checkRadars(const AditParams& params) {
+  const auto count = static_cast<double>(params.radars.size());
+  require(count >= 1 && count <= kMaxRadars, "number of radars", count, "[1, 8]");
+  std::set<std::string> names;
+  for (const RadarParams& r : params.radars) {
+    if (r.name.empty()) throw std::invalid_argument("radars: a radar has no name");
+    if (!names.insert(r.name).second) throw std::invalid_argument("radars: two radars are named " + r.name);
+    require(r.period >= 0.5 && r.period <= 120.0, "period of " + r.name, r.period, "[0.5, 120] s");
+    require(r.range_sigma > 0.0 && r.range_sigma <= 1e5, "range_sigma of " + r.name, r.range_sigma, "(0, 100000] m");
+    require(r.azimuth_sigma > 0.0 && r.azimuth_sigma <= 0.5, "azimuth_sigma of " + r.name, r.azimuth_sigma,
+            "(0, 0.5] rad");
+  }
+  if (!params.reference_radar.empty() && names.count(params.reference_radar) == 0) {
+    throw std::invalid_argument("reference_radar: there is no radar named " + params.reference_radar);
+  }
+}
+
+void checkGates(const AditParams& params) {
+  for (std::size_t g = 0; g < kGates; ++g) {
+    const std::string name = "gate " + std::to_string(g + 1);
+    require(params.track_gates[g].range > 0.0, name + " in range", params.track_gates[g].range, "(0, inf) m");
+    require(params.track_gates[g].azimuth > 0.0 && params.track_gates[g].azimuth <= tws::kSectorWidth,
+            name + " in azimuth", params.track_gates[g].azimuth,
+            "(0, 0.0982] rad: only neighbouring sectors are searched");
+    if (g > 0 && params.track_gates[g].range < params.track_gates[g - 1].range) {
+      throw std::invalid_argument(name + " is smaller than the one before");
+    }
+  }
+  if (params.gates == GateKind::kStatistical && params.filter != FilterKind::kTurning) {
+    throw std::invalid_argument("gates: statistical gates need the turning filter, which has a covariance");
+  }
+  if (params.learn_noise && params.gates != GateKind::kStatistical) {
+    throw std::invalid_argument("learn_noise: needs statistical gates");
+  }
+  if (params.life == TrackLife::kExistence && params.gates != GateKind::kStatistical) {
+    throw std::invalid_argument("life: the chance of existence needs statistical gates");
+  }
+}
+
+constexpr double feet(double value) { return value * tws::kMetresPerFoot; }
+
+/// Even steps from 2000 ft × 1.4° to 14 000 ft × 5.6°; the three between are our choice.
+std::array<Gate, kGates> reportGates() {
+  std::array<Gate, kGates> gates;
+  for (std::size_t g = 0; g < kGates; ++g) {
+    const double step = static_cast<double>(g) / (kGates - 1);
+    gates[g].range = feet(2000.0 + step * 12000.0);
+    gates[g].azimuth = tws::radians(1.4 + step * 4.2);
+  }
+  return gates;
+}
+
+}  // namespace
+
+bool isFaster(double range_rate, double azimuth_rate, double range, double speed, const ConversionParams& params) {
+  if (params.over_ground) return std::hypot(range_rate, range * azimuth_rate) > speed;
+  return std::abs(range_rate) > speed || std::abs(azimuth_rate) > params.azimuth_rate;
+}
+
+AditParams AditParams::named(const std::string& name) {
+  AditParams p;
+  p.track_gates = reportGates();
+  p.clutter.gate.range = feet(2000.0);
+  p.clutter.gate.azimuth = tws::radians(1.4);
+  if (name == "default") return p;
+  if (name != "nrl7952")
+    throw std::invalid_argument("parameter set: there is no set named " + name + " (default, nrl7952)");
+  p.capacity = 256;
+  p.filter = FilterKind::kAlphaBeta;
+  p.learn_noise = false;
+  p.gates = GateKind::kFixed;
+  p.life = TrackLife::kTimers;
+  p.alpha_beta.damping = 0.9;
+  p.alpha_beta.omega_min = 0.1;
+  p.clutter.per_radar = false;
+  p.clutter.capacity = 256;
+  p.clutter.gate_sigmas = 0.0;
+  p.clutter.hits = 1;
+  p.clutter.smoothing = 1.0;
+  p.clutter.yields_to_tracks = false;
+  p.conversion.over_ground = false;
+  p.conversion.speed_up = tws::speedFromKnots(45.0);
+  p.conversion.speed_down = tws::speedFromKnots(56.0);
+  return p;
+}
+
+void check(const AditParams& params) {
+  checkRadars(params);
+  checkGates(params);
+  tws::check(params.alpha_beta);
+  require(params.capacity >= 2 && params.capacity <= 1000001, "capacity", params.capacity, "[2, 1000001]");
+  require(params.clutter.capacity >= 2, "clutter capacity", params.clutter.capacity, "[2, 1000001]");
+  require(params.skew_limit >= 0.0, "skew_limit", params.skew_limit, "[0, inf) s");
+  require(params.clutter.hits >= 1, "clutter hits", static_cast<double>(params.clutter.hits), "[1, inf)");
+  require(params.conversion.scans >= 2, "conversion scans", static_cast<double>(params.conversion.scans), "[2, inf)");
+}
+
+}  // namespace adit_tracker

@@ -1,0 +1,110 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <tws_core/alpha_beta.h>
+#include <tws_core/sectors.h>
+#include <tws_core/units.h>
+
+#include "gate.h"
+#include "turning_filter.h"
+
+namespace adit_tracker {
+
+/// One radar that feeds the tracker.
+struct RadarParams {
+  std::string name;
+  double period = 6.0;                            // Of a turn, until its marks tell [s].
+  double range_sigma = 100.0;                     // Standard deviation of its ranges where the plot does not say [m].
+  double azimuth_sigma = 0.3 * tws::kPi / 180.0;  // The same of its azimuths [rad].
+};
+
+constexpr std::size_t kGates = 5;
+
+/// The report's timers decide over the life of a track, or the chance that it follows a target.
+enum class TrackLife { kTimers, kExistence };
+/// The report's filter in range and azimuth, or the turning filter on the plane.
+enum class FilterKind { kAlphaBeta, kTurning };
+/// The report's fixed regions, or regions from the filter's covariance.
+enum class GateKind { kFixed, kStatistical };
+
+/// The clutter map. A common map is shared by all radars.
+struct ClutterParams {
+  bool per_radar = true;  // The report's "dual clutter map".
+  std::uint32_t capacity = 100000;
+  double drop_time = 40.0;       // TCMAX [s]
+  Gate gate;                     // CRC, CAC; statistical: the outer limit of it
+  double gate_sigmas = 3.0;      // Half-width in standard deviations of the radar; 0: `gate` alone
+  long hits = 4;                 // Detections before a point takes detections out of the file; the report's is 1.
+  double smoothing = 0.2;        // Least weight of a detection in the point's position; 1: it takes over the position.
+  bool yields_to_tracks = true;  // A point on probation ends when a firm track uses its detection.
+};
+
+/// Turning clutter points into tracks and tracks into clutter points, every eight scans of the reference radar.
+struct ConversionParams {
+  long scans = 8;
+  double speed_up =
+      56.0 * tws::kMetresPerSecondPerKnot;  // VRMIN upwards: a faster clutter point becomes a track [m/s].
+  double speed_down =
+      45.0 * tws::kMetresPerSecondPerKnot;             // VRMIN downwards: a slower track becomes a clutter point [m/s].
+  double azimuth_rate = 100.0 * tws::kAzimuthRateLsb;  // VAMIN [rad/s]
+  bool over_ground = true;  // Judge the speed over ground, in place of range and azimuth rates apart.
+};
+
+/// Does something at `range` with these rates [m/s, rad/s] move faster than `speed`, in the sense of the parameters?
+bool isFaster(double range_rate, double azimuth_rate, double range, double speed, const ConversionParams& params);
+
+/// Life of tracks by the report's timers.
+struct TimerParams {
+  double tentative_drop_time = 9.0;  // TNMAX [s]
+  double drop_time = 20.0;           // TTMAX [s]
+  double firm_time = 20.0;           // TFIX [s]
+};
+
+/// Life of tracks by the chance of existence (Musicki, Evans & Stankovic, IEEE Trans. AC 39(6), 1994).
+struct ExistenceParams {
+  double new_targets = 1.0;               // Expected number of new targets a scan, against the radar's false plots.
+  double firm_probability = 0.99;         // A tentative track becomes firm above it …
+  long firm_updates = 3;                  // … with at least so many detections,
+  double moving_evidence = 2.0;           // and that much log-likelihood in favour of movement over a fixed place.
+  double drop_probability = 0.01;         // A firm track is dropped below it,
+  double doubt_probability = 0.5;         // Below it, a firm track shows as tentative until it is detected again.
+  double tentative_drop_fraction = 0.03;  // a tentative one below this share of its first chance.
+  double detection_probability = 0.85;    // Assumed of a new track; each track then learns its own.
+  double survival_time = 400.0;           // Mean time that a target stays [s].
+};
+
+/// All that the tracker's behaviour depends on. The member initialisers are the set `default`.
+struct AditParams {
+  std::vector<RadarParams> radars;
+  std::string reference_radar;      // Whose scans count in conversions (the report's SPS-39). Empty: the last one.
+  std::uint32_t capacity = 100000;  // Track numbers; one of them always stays unused.
+  double skew_limit = 1.0;          // How late a radar's data may be before it counts as silent [s].
+
+  FilterKind filter = FilterKind::kTurning;
+  tws::AdaptiveAlphaBetaParams alpha_beta;
+  TurningFilterParams turning;
+  bool learn_noise = true;  // Learn each radar's standard deviations from its firm tracks.
+
+  GateKind gates = GateKind::kStatistical;
+  std::array<Gate, kGates> track_gates;                                    // Fixed: CRT, CAT.
+  std::array<double, kGates> gate_distances = {2.0, 4.0, 7.0, 11.0, 1e9};  // Statistical: limits of the distance …
+  double gate_sigmas = 5.0;  // … and of the innovation, in standard deviations.
+
+  TrackLife life = TrackLife::kExistence;
+  TimerParams timers;
+  ExistenceParams existence;
+  ClutterParams clutter;
+  ConversionParams conversion;
+
+  /// The named set without radars: "default" or "nrl7952", the report's letter. Throws std::invalid_argument.
+  static AditParams named(const std::string& name);
+};
+
+/// Throws std::invalid_argument that names the parameter, its value and its range.
+void check(const AditParams& params);
+
+}  // namespace adit_tracker

@@ -1,0 +1,178 @@
+#include "adit_params_reader.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace adit_tracker {
+namespace {
+
+using tws_runtime::ParameterError;
+using tws_runtime::ParameterReader;
+
+constexpr double kMost = 1e9;
+
+void degrees(ParameterReader& reader, const std::string& key, double& radians, double least, double greatest) {
+  if (!reader.has(key)) return;
+  double value = 0.0;
+  reader.number(key, value, least, greatest);
+  radians = tws::radians(value);
+}
+
+void knots(ParameterReader& reader, const std::string& key, double& speed) {
+  if (!reader.has(key)) return;
+  double value = 0.0;
+  reader.number(key, value, 0.0, 10000.0);
+  speed = tws::speedFromKnots(value);
+}
+
+void number(ParameterReader& reader, const std::string& key, std::uint32_t& value, long least, long greatest) {
+  long number = value;
+  reader.integer(key, number, least, greatest);
+  value = static_cast<std::uint32_t>(number);
+}
+
+template <class T>
+void choice(ParameterReader& reader, const std::string& key, T& value,
+            const std::vector<std::pair<std::string, T>>& names) {
+  std::vector<std::string> allowed;
+  std::string chosen;
+  for (const auto& [name, meaning] : names) {
+    allowed.push_back(name);
+    if (meaning == value) chosen = name;
+  }
+  reader.choice(key, chosen, allowed);
+  value = std::find_if(names.begin(), names.end(), [&](const auto& n) { return n.first == chosen; })->second;
+}
+
+void readRadars(ParameterReader& reader, std::vector<RadarParams>& radars) {
+  if (!reader.has("radars")) return;
+  radars.clear();
+  for (ParameterReader& entry : reader.list("radars")) {
+    RadarParams radar;
+    entry.require("name");
+    entry.text("name", radar.name);
+    entry.number("period_s", radar.period, 0.5, 120.0);
+    entry.number("range_sigma_m", radar.range_sigma, 0.1, 1e5);
+    degrees(entry, "azimuth_sigma_deg", radar.azimuth_sigma, 1e-4, 20.0);
+    entry.done();
+    radars.push_back(radar);
+  }
+}
+
+/// Five values, one a gate.
+void readGates(ParameterReader reader, std::array<Gate, kGates>& gates) {
+  const auto read = [&](const std::string& key, double Gate::*member, double greatest, double unit) {
+    if (!reader.has(key)) return;
+    std::vector<double> values;
+    reader.numbers(key, values, 0.0, greatest);
+    if (values.size() != kGates) reader.fail(key, "needs " + std::to_string(kGates) + " values");
+    for (std::size_t g = 0; g < kGates; ++g) gates[g].*member = unit * values[g];
+  };
+  read("range_m", &Gate::range, 1e6, 1.0);
+  read("azimuth_deg", &Gate::azimuth, tws::degrees(tws::kSectorWidth), tws::kRadiansPerDegree);
+  read("range_weight", &Gate::range_weight, 1e6, 1.0);
+  read("azimuth_weight", &Gate::azimuth_weight, 1e6, 1.0);
+  reader.done();
+}
+
+void readGateDistances(ParameterReader& reader, std::array<double, kGates>& distances) {
+  if (!reader.has("gate_distances")) return;
+  std::vector<double> values;
+  reader.numbers("gate_distances", values, 0.0, kMost);
+  if (values.size() + 1 != kGates) reader.fail("gate_distances", "needs 4 values; the fifth region has no limit");
+  std::copy(values.begin(), values.end(), distances.begin());
+}
+
+void readFilters(ParameterReader& reader, AditParams& p) {
+  choice(reader, "filter", p.filter,
+         {{"adaptive_alpha_beta", FilterKind::kAlphaBeta}, {"turning", FilterKind::kTurning}});
+  ParameterReader alpha_beta = reader.map("alpha_beta");
+  alpha_beta.number("damping", p.alpha_beta.damping, 0.01, 0.99);
+  alpha_beta.number("omega_a", p.alpha_beta.omega_a, 1e-6, 100.0);
+  alpha_beta.number("omega_b", p.alpha_beta.omega_b, 1e-6, 100.0);
+  alpha_beta.number("omega_min", p.alpha_beta.omega_min, 1e-6, 100.0);
+  alpha_beta.number("omega_max", p.alpha_beta.omega_max, 1e-6, 100.0);
+  alpha_beta.done();
+  ParameterReader turning = reader.map("turning");
+  degrees(turning, "turn_rate_deg_per_s", p.turning.turn_rate, 0.01, 28.0);
+  turning.number("straight_acceleration", p.turning.straight_acceleration, 0.0, 1e6);
+  turning.number("turning_acceleration", p.turning.turning_acceleration, 0.0, 1e6);
+  turning.number("straight_time_s", p.turning.straight_time, 0.1, 1e6);
+  turning.number("turning_time_s", p.turning.turning_time, 0.1, 1e6);
+  turning.number("speed_sigma_mps", p.turning.speed_sigma, 0.1, 1e5);
+  turning.done();
+}
+
+void readLife(ParameterReader& reader, AditParams& p) {
+  choice(reader, "life", p.life, {{"timers", TrackLife::kTimers}, {"existence", TrackLife::kExistence}});
+  ParameterReader timers = reader.map("timers");
+  timers.number("tentative_drop_time_s", p.timers.tentative_drop_time, 0.1, 1e4);
+  timers.number("drop_time_s", p.timers.drop_time, 0.1, 1e4);
+  timers.number("firm_time_s", p.timers.firm_time, 0.0, 1e4);
+  timers.done();
+  ParameterReader e = reader.map("existence");
+  e.number("new_targets", p.existence.new_targets, 1e-6, 1e6);
+  e.number("firm_probability", p.existence.firm_probability, 0.5, 0.99999);
+  e.integer("firm_updates", p.existence.firm_updates, 2, 100);
+  e.number("moving_evidence", p.existence.moving_evidence, -kMost, 1e3);
+  e.number("drop_probability", p.existence.drop_probability, 1e-9, 0.5);
+  e.number("doubt_probability", p.existence.doubt_probability, 0.0, 0.99);
+  e.number("tentative_drop_fraction", p.existence.tentative_drop_fraction, 1e-9, 1.0);
+  e.number("detection_probability", p.existence.detection_probability, 0.05, 0.99);
+  e.number("survival_time_s", p.existence.survival_time, 1.0, kMost);
+  e.done();
+}
+
+void readClutter(ParameterReader& reader, AditParams& p) {
+  ParameterReader c = reader.map("clutter");
+  c.flag("per_radar", p.clutter.per_radar);
+  number(c, "capacity", p.clutter.capacity, 2, 1000001);
+  c.number("drop_time_s", p.clutter.drop_time, 1.0, 1e6);
+  c.number("gate_range_m", p.clutter.gate.range, 1.0, 1e5);
+  degrees(c, "gate_azimuth_deg", p.clutter.gate.azimuth, 0.001, tws::degrees(tws::kSectorWidth));
+  c.number("gate_sigmas", p.clutter.gate_sigmas, 0.0, 100.0);
+  c.number("range_weight", p.clutter.gate.range_weight, 0.0, 1e6);
+  c.number("azimuth_weight", p.clutter.gate.azimuth_weight, 0.0, 1e6);
+  c.integer("hits", p.clutter.hits, 1, 1000);
+  c.number("smoothing", p.clutter.smoothing, 1e-3, 1.0);
+  c.flag("yields_to_tracks", p.clutter.yields_to_tracks);
+  c.done();
+  ParameterReader v = reader.map("conversion");
+  v.integer("scans", p.conversion.scans, 2, 1000);
+  knots(v, "speed_up_kn", p.conversion.speed_up);
+  knots(v, "speed_down_kn", p.conversion.speed_down);
+  degrees(v, "azimuth_rate_deg_per_s", p.conversion.azimuth_rate, 0.0, 100.0);
+  v.flag("over_ground", p.conversion.over_ground);
+  v.done();
+}
+
+}  // namespace
+
+AditParams readAditParams(ParameterReader& reader, const std::string& default_set) {
+  std::string set = default_set;
+  reader.choice("set", set, {"default", "nrl7952"});
+  AditParams p = AditParams::named(set);
+  readRadars(reader, p.radars);
+  reader.text("reference_radar", p.reference_radar);
+  number(reader, "capacity", p.capacity, 2, 1000001);
+  reader.number("skew_limit_s", p.skew_limit, 0.0, 60.0);
+  readFilters(reader, p);
+  reader.flag("learn_noise", p.learn_noise);
+  choice(reader, "gates", p.gates, {{"fixed", GateKind::kFixed}, {"statistical", GateKind::kStatistical}});
+  readGates(reader.map("track_gates"), p.track_gates);
+  readGateDistances(reader, p.gate_distances);
+  reader.number("gate_sigmas", p.gate_sigmas, 0.5, 20.0);
+  readLife(reader, p);
+  readClutter(reader, p);
+  return p;
+}
+
+AditParams loadAditParams(const std::string& name_or_file) {
+  if (name_or_file == "default" || name_or_file == "nrl7952") return AditParams::named(name_or_file);
+  ParameterReader reader(tws_runtime::loadParameterFile(name_or_file), name_or_file);
+  AditParams params = readAditParams(reader);
+  reader.done();
+  return params;
+}
+
+}  // namespace adit_tracker

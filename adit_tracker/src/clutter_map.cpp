@@ -1,0 +1,147 @@
+#include "clutter_map.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <tws_core/angles.h>
+#include <tws_core/quantisation.h>
+
+namespace adit_tracker {
+namespace {
+// A point updated so recently has been met on this scan already and has changed its sector since.
+constexpr double kSameScan = 1.0;  // [s]
+}  // namespace
+
+ClutterMap::ClutterMap(const ClutterParams& params, const ConversionParams& conversion)
+    : params_(params), conversion_(conversion), numbers_(params.capacity), sectors_(params.capacity) {}
+
+Detection* ClutterMap::nearest(const ClutterPoint& point, RadarState& radar, std::int64_t running) const {
+  double range_gate = params_.gate.range, azimuth_gate = params_.gate.azimuth;
+  if (params_.gate_sigmas > 0.0) {
+    range_gate = std::min(range_gate, params_.gate_sigmas * radar.quality.rangeSigma());
+    azimuth_gate = std::min(azimuth_gate, params_.gate_sigmas * radar.quality.azimuthSigma());
+  }
+  Detection* best = nullptr;
+  double least = 0.0;
+  for (std::int64_t sector = running - 1; sector <= running + 1; ++sector) {
+    const auto [first, last] = radar.detections.at(sector).inRange(point.range - range_gate, point.range + range_gate);
+    for (Detection* d = first; d != last; ++d) {
+      const double azimuth_difference = tws::angularDifference(d->plot.azimuth, point.azimuth);
+      if (d->used || std::abs(azimuth_difference) > azimuth_gate) continue;
+      const double distance = effectiveDistance(params_.gate, d->plot.range - point.range, azimuth_difference);
+      if (best != nullptr && distance >= least) continue;
+      best = d;
+      least = distance;
+    }
+  }
+  return best;
+}
+
+void ClutterMap::take(ClutterPoint& point, Detection& detection, std::size_t radar) {
+  const tws::Plot& plot = detection.plot;
+  // Smoothing 1 is the report's: the point takes over the detection's position.
+  const double weight = std::max(params_.smoothing, 1.0 / (point.hits + 1));
+  point.range += weight * (plot.range - point.range);
+  point.azimuth = tws::wrapTwoPi(point.azimuth + weight * tws::angularDifference(plot.azimuth, point.azimuth));
+  point.last_update = plot.time;
+  point.updated[radar] = plot.time;
+  const bool absorbs = absorbing(point);
+  ++point.hits;
+  if (absorbs) {
+    detection.used = true;
+    ++absorbed_;
+  } else {
+    detection.claim = point.number;
+  }
+}
+
+/// Compares the place with the one stored eight scans ago, and stores the present one.
+bool ClutterMap::moves(ClutterPoint& point, double judge_after) const {
+  const double elapsed = point.last_update - point.reference_time;
+  if (elapsed < judge_after) return false;
+  const double range_rate = (point.range - point.reference_range) / elapsed;
+  const double azimuth_rate = tws::angularDifference(point.azimuth, point.reference_azimuth) / elapsed;
+  const bool comparable = point.reference_time != kNever;
+  point.reference_time = point.last_update;
+  point.reference_range = point.range;
+  point.reference_azimuth = point.azimuth;
+  return comparable && isFaster(range_rate, azimuth_rate, point.range, conversion_.speed_up, conversion_);
+}
+
+std::vector<ClutterPoint> ClutterMap::process(std::size_t radar_index, RadarState& radar, std::int64_t running,
+                                              double now, std::optional<double> judge_after) {
+  std::vector<ClutterPoint> moving;
+  const int sector = tws::wrapSector(static_cast<int>(running % tws::kSectors));
+  std::uint32_t next = 0;
+  for (std::uint32_t n = sectors_.first(sector); n != tws::SectorFile::kNone; n = next) {
+    next = sectors_.next(n);
+    ClutterPoint& point = points_[n];
+    if (now - point.last_update > params_.drop_time) {
+      drop(n);
+      continue;
+    }
+    if (now - point.updated[radar_index] < kSameScan) continue;
+    Detection* const detection = nearest(point, radar, running);
+    if (detection != nullptr) take(point, *detection, radar_index);
+    if (judge_after && absorbing(point) && moves(point, *judge_after)) {
+      moving.push_back(point);
+      drop(n);
+      continue;
+    }
+    const int place = tws::sectorOf(point.azimuth);
+    if (place == sector) continue;
+    sectors_.remove(n);
+    sectors_.addLast(n, place);
+  }
+  return moving;
+}
+
+bool ClutterMap::insert(ClutterPoint point, std::size_t radar) {
+  const auto number = numbers_.take();
+  if (!number) return false;
+  point.number = *number;
+  point.updated.fill(kNever);
+  point.updated[radar] = point.last_update;
+  if (points_.size() <= *number) points_.resize(*number + 1);
+  points_[*number] = point;
+  sectors_.addLast(*number, tws::sectorOf(point.azimuth));
+  ++size_;
+  return true;
+}
+
+bool ClutterMap::initiate(const tws::Plot& plot, std::size_t radar) {
+  ClutterPoint point;
+  point.range = plot.range;
+  point.azimuth = plot.azimuth;
+  point.first_time = point.last_update = plot.time;
+  return insert(point, radar);
+}
+
+bool ClutterMap::adopt(double range, double azimuth, double time, std::size_t radar) {
+  ClutterPoint point;
+  point.range = range;
+  point.azimuth = azimuth;
+  point.first_time = point.last_update = time;
+  point.hits = static_cast<std::int32_t>(params_.hits);
+  return insert(point, radar);
+}
+
+void ClutterMap::drop(std::uint32_t number) {
+  sectors_.remove(number);
+  numbers_.drop(number);
+  --size_;
+}
+
+void ClutterMap::disclaim(std::uint32_t number) {
+  if (numbers_.used(number) && !absorbing(points_[number])) drop(number);
+}
+
+std::vector<ClutterPoint> ClutterMap::points() const {
+  std::vector<ClutterPoint> all;
+  for (int sector = 0; sector < tws::kSectors; ++sector) {
+    for (auto n = sectors_.first(sector); n != tws::SectorFile::kNone; n = sectors_.next(n)) all.push_back(points_[n]);
+  }
+  return all;
+}
+
+}  // namespace adit_tracker

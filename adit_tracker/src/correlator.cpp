@@ -1,0 +1,95 @@
+#include "correlator.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <tws_core/angles.h>
+
+namespace adit_tracker {
+
+std::size_t Correlator::smallestGate(const Track& track, double range_difference, double azimuth_difference,
+                                     double& distance) const {
+  if (params_.gates == GateKind::kFixed) {
+    for (std::size_t g = 0; g < kGates; ++g) {
+      const Gate& gate = params_.track_gates[g];
+      if (std::abs(range_difference) > gate.range || std::abs(azimuth_difference) > gate.azimuth) continue;
+      distance = effectiveDistance(gate, range_difference, azimuth_difference);
+      return g;
+    }
+    return kGates;
+  }
+  // The distance is twice the negative log-likelihood, up to a constant: of two tracks, the one that knows better where
+  // its target is wins.
+  const double cross_range = track.predicted.range * azimuth_difference;
+  const double squared = track.predicted.innovation.mahalanobis(range_difference, cross_range);
+  if (squared > params_.gate_sigmas * params_.gate_sigmas) return kGates;
+  distance = squared + track.predicted.log_volume;
+  std::size_t g = 0;
+  while (g + 1 < kGates && distance > params_.gate_distances[g]) ++g;
+  return g;
+}
+
+void Correlator::gather(const Track& track, TrackFile::Slot slot, bool primary, RadarState& radar,
+                        std::int64_t sector) {
+  const Prediction& p = track.predicted;
+  double range_gate = params_.track_gates.back().range;
+  if (params_.gates == GateKind::kStatistical) range_gate = params_.gate_sigmas * std::sqrt(p.innovation.xx);
+  Entry entry{slot, primary, false, candidates_.size(), 0};
+  for (std::int64_t s = sector - 1; s <= sector + 1; ++s) {
+    const auto [first, last] = radar.detections.at(s).inRange(p.range - range_gate, p.range + range_gate);
+    for (Detection* d = first; d != last; ++d) {
+      if (d->used) continue;
+      double distance = 0.0;
+      const std::size_t gate =
+          smallestGate(track, d->plot.range - p.range, tws::angularDifference(d->plot.azimuth, p.azimuth), distance);
+      if (gate < kGates) candidates_.push_back({d, distance, gate});
+    }
+  }
+  entry.last = candidates_.size();
+  entries_.push_back(entry);
+}
+
+Detection* Correlator::closest(const Entry& entry, std::size_t gate) const {
+  const Candidate* best = nullptr;
+  for (std::size_t i = entry.first; i < entry.last; ++i) {
+    const Candidate& c = candidates_[i];
+    if (c.gate > gate || c.detection->used || c.detection->flagged_in == run_) continue;
+    if (best == nullptr || c.distance < best->distance) best = &c;
+  }
+  return best == nullptr ? nullptr : best->detection;
+}
+
+void Correlator::pass(std::size_t gate) {
+  for (Entry& entry : entries_) {
+    if (entry.correlated) continue;
+    Detection* const detection = closest(entry, gate);
+    if (detection == nullptr) continue;
+    entry.correlated = true;
+    if (entry.primary) {
+      detection->used = true;
+      correlations_.push_back({entry.slot, detection});
+    } else {
+      detection->flagged_in = run_;
+    }
+  }
+}
+
+const std::vector<Correlation>& Correlator::correlate(const TrackFile& tracks,
+                                                      const std::vector<TrackFile::Slot>& primary,
+                                                      const std::vector<TrackFile::Slot>& secondary, RadarState& radar,
+                                                      std::int64_t running) {
+  ++run_;
+  entries_.clear();
+  candidates_.clear();
+  correlations_.clear();
+  for (const auto slot : primary) gather(tracks.at(slot), slot, true, radar, running);
+  const int here = static_cast<int>(running % tws::kSectors);
+  for (const auto slot : secondary) {
+    gather(tracks.at(slot), slot, false, radar, running + tws::sectorDifference(tracks.sector(slot), here));
+  }
+  if (candidates_.empty()) return correlations_;
+  for (std::size_t gate = 0; gate < kGates; ++gate) pass(gate);
+  return correlations_;
+}
+
+}  // namespace adit_tracker

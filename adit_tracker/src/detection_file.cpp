@@ -1,0 +1,39 @@
+#include "detection_file.h"
+
+#include <algorithm>
+
+namespace adit_tracker {
+
+std::pair<Detection*, Detection*> DetectionSector::inRange(double from, double to) {
+  Detection* const begin = detections.data();
+  Detection* const end = begin + detections.size();
+  Detection* const first = std::partition_point(begin, end, [from](const Detection& d) { return d.plot.range < from; });
+  Detection* last = first;
+  while (last != end && last->plot.range <= to) ++last;
+  return {first, last};
+}
+
+DetectionFile::DetectionFile() : sectors_(kKept) {}
+
+DetectionSector& DetectionFile::add(const tws::RadarSector& sector) {
+  DetectionSector& slot = sectors_[static_cast<std::size_t>(sector.running % kKept)];
+  slot.running = sector.running;
+  slot.enter_time = sector.enter_time;
+  slot.leave_time = sector.leave_time;
+  slot.detections.clear();
+  for (const tws::Plot& plot : sector.plots) slot.detections.push_back(Detection{plot, false, 0, Detection::kNoClaim});
+  // Stable: plots of equal range keep their order of time, so that the result is the same in every run.
+  std::stable_sort(slot.detections.begin(), slot.detections.end(),
+                   [](const Detection& a, const Detection& b) { return a.plot.range < b.plot.range; });
+  return slot;
+}
+
+DetectionSector& DetectionFile::at(std::int64_t running) {
+  if (running >= 0) {
+    DetectionSector& slot = sectors_[static_cast<std::size_t>(running % kKept)];
+    if (slot.running == running) return slot;
+  }
+  return empty_;
+}
+
+}  // namespace adit_tracker

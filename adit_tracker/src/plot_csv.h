@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstddef>
+#include <iosfwd>
+#include <map>
+#include <string>
+#include <vector>
+
+#include <tws_core/plot.h>
+
+namespace adit_tracker {
+
+/// The plots of a CSV file, for each radar in order of time, and what was wrong with it.
+struct PlotTable {
+  std::map<std::string, std::vector<tws::Plot>> radars;  // by the text in the column `radar`
+  std::size_t plots = 0;
+  std::size_t refused = 0;              // lines
+  std::vector<std::string> complaints;  // "file:line: reason", the first ones only
+};
+
+/// Reads `t_s,radar,scan,range_m,az_deg[,…]` with a header line; azimuth clockwise from true north; further columns are
+/// ignored. A line that cannot be used is counted and left out. Throws std::runtime_error, naming the file, when the
+/// header is not as above.
+PlotTable readPlots(std::istream& input, const std::string& name);
+
+}  // namespace adit_tracker

@@ -1,0 +1,48 @@
+#include "track_file.h"
+
+namespace adit_tracker {
+
+TrackFile::TrackFile(std::uint32_t capacity) : numbers_(capacity), sectors_(capacity) {}
+
+std::optional<TrackFile::Slot> TrackFile::start() {
+  const std::optional<std::uint32_t> number = numbers_.take();
+  if (!number) return std::nullopt;
+  Slot slot = static_cast<Slot>(tracks_.size());
+  if (free_.empty()) {
+    tracks_.emplace_back();
+  } else {
+    slot = free_.back();
+    free_.pop_back();
+    tracks_[slot] = Track{};
+  }
+  Track& track = tracks_[slot];
+  track.number = *number;
+  track.uid = next_uid_++;
+  track.updated.fill(kNever);
+  track.updated_at.fill(kNever);
+  track.illuminated.fill(kNever);
+  ++size_;
+  return slot;
+}
+
+void TrackFile::drop(Slot slot) {
+  if (sectors_.sector(slot) >= 0) sectors_.remove(slot);
+  numbers_.drop(tracks_[slot].number);
+  free_.push_back(slot);
+  --size_;
+}
+
+void TrackFile::place(Slot slot, int sector) {
+  if (sectors_.sector(slot) >= 0) sectors_.remove(slot);
+  if (tracks_[slot].firm) {
+    sectors_.addFirst(slot, sector);
+  } else {
+    sectors_.addLast(slot, sector);
+  }
+}
+
+void TrackFile::list(int sector, std::vector<Slot>& slots) const {
+  for (Slot s = sectors_.first(sector); s != tws::SectorFile::kNone; s = sectors_.next(s)) slots.push_back(s);
+}
+
+}  // namespace adit_tracker

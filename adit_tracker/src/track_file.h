@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include <tws_core/number_file.h>
+#include <tws_core/sector_file.h>
+
+#include "track.h"
+
+namespace adit_tracker {
+
+/// All living tracks: their numbers (LISTT), their parameters, and which azimuth sector each is in (TBX, IDT).
+/// Everything is O(1). Tracks are addressed by slot, not by number: numbers wander through the whole number file, slots
+/// stay dense, so that memory follows the greatest number of living tracks and not the capacity.
+class TrackFile {
+ public:
+  using Slot = std::uint32_t;
+
+  /// `capacity` numbers, of which one always stays unused.
+  explicit TrackFile(std::uint32_t capacity);
+
+  /// A new tentative track with a number, in no sector yet; nothing: all numbers are in use.
+  std::optional<Slot> start();
+  void drop(Slot slot);
+
+  /// Puts a track into the file of a sector: firm tracks on top, tentative ones at the bottom.
+  void place(Slot slot, int sector);
+  int sector(Slot slot) const { return sectors_.sector(slot); }
+
+  Track& at(Slot slot) { return tracks_[slot]; }
+  const Track& at(Slot slot) const { return tracks_[slot]; }
+
+  /// The slots in a sector, top to bottom, appended to `slots`.
+  void list(int sector, std::vector<Slot>& slots) const;
+
+  std::uint32_t size() const { return size_; }
+  std::uint32_t capacity() const { return numbers_.size(); }
+
+ private:
+  tws::NumberFile numbers_;
+  tws::SectorFile sectors_;
+  std::vector<Track> tracks_;
+  std::vector<Slot> free_;
+  std::uint32_t size_ = 0;
+  std::uint32_t next_uid_ = 1;
+};
+
+}  // namespace adit_tracker

@@ -1,0 +1,188 @@
+#include "turning_filter.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace adit_tracker {
+namespace {
+
+constexpr double kLogTwoPi = 1.83787706640934548356;
+using States = std::array<PlanarState, TurningFilter::kModels>;
+using Weights = std::array<double, TurningFilter::kModels>;
+
+/// How position and velocity turn in a time step: p += A v, v = C v, with A = [a -b; b a] and C = [c -d; d c].
+struct Motion {
+  double a, b, c, d;
+};
+
+/// Exact for a constant turn rate [rad/s], anticlockwise positive.
+std::array<Motion, TurningFilter::kModels> motions(double dt, double turn_rate) {
+  const double sine = std::sin(turn_rate * dt), cosine = std::cos(turn_rate * dt);
+  const double a = sine / turn_rate, b = (1.0 - cosine) / turn_rate;
+  return {Motion{dt, 0.0, 1.0, 0.0}, Motion{a, b, cosine, sine}, Motion{a, -b, cosine, -sine}};
+}
+
+void moveMean(PlanarState& s, const Motion& m) {
+  const double vx = s.vx, vy = s.vy;
+  s.x += m.a * vx - m.b * vy;
+  s.y += m.b * vx + m.a * vy;
+  s.vx = m.c * vx - m.d * vy;
+  s.vy = m.d * vx + m.c * vy;
+}
+
+/// P ← F P F' + Q, block by block, with Q of white acceleration of density q.
+void moveCovariance(PlanarState& s, const Motion& m, double dt, double q) {
+  const auto [a, b, c, d] = m;
+  const Symmetric2 v = s.velocity;
+  // A·V, and (cross)·A'.
+  const double av_xx = a * v.xx - b * v.xy, av_xy = a * v.xy - b * v.yy;
+  const double av_yx = b * v.xx + a * v.xy, av_yy = b * v.xy + a * v.yy;
+  const double ca_xx = a * s.x_vx - b * s.x_vy, ca_xy = b * s.x_vx + a * s.x_vy;
+  const double ca_yx = a * s.y_vx - b * s.y_vy, ca_yy = b * s.y_vx + a * s.y_vy;
+  s.position.xx += 2.0 * ca_xx + a * av_xx - b * av_xy + q * dt * dt * dt / 3.0;
+  s.position.xy += ca_xy + ca_yx + b * av_xx + a * av_xy;
+  s.position.yy += 2.0 * ca_yy + b * av_yx + a * av_yy + q * dt * dt * dt / 3.0;
+  const double n_xx = s.x_vx + av_xx, n_xy = s.x_vy + av_xy, n_yx = s.y_vx + av_yx, n_yy = s.y_vy + av_yy;
+  s.x_vx = c * n_xx - d * n_xy + q * dt * dt / 2.0;
+  s.x_vy = d * n_xx + c * n_xy;
+  s.y_vx = c * n_yx - d * n_yy;
+  s.y_vy = d * n_yx + c * n_yy + q * dt * dt / 2.0;
+  const double cv_xx = c * v.xx - d * v.xy, cv_xy = c * v.xy - d * v.yy;
+  const double cv_yx = d * v.xx + c * v.xy, cv_yy = d * v.xy + c * v.yy;
+  s.velocity = {c * cv_xx - d * cv_xy + q * dt, d * cv_xx + c * cv_xy, d * cv_yx + c * cv_yy + q * dt};
+}
+
+/// Kalman update with a position; returns the logarithm of the measurement's likelihood.
+double correct(PlanarState& s, const PlanarMeasurement& z) {
+  const Symmetric2 S{s.position.xx + z.covariance.xx, s.position.xy + z.covariance.xy, s.position.yy + z.covariance.yy};
+  const double inverse = 1.0 / S.determinant();
+  const Symmetric2 W{S.yy * inverse, -S.xy * inverse, S.xx * inverse};
+  const double nx = z.x - s.x, ny = z.y - s.y;
+  const double d2 = W.xx * nx * nx + 2.0 * W.xy * nx * ny + W.yy * ny * ny;
+  const double h[4][2] = {
+      {s.position.xx, s.position.xy}, {s.position.xy, s.position.yy}, {s.x_vx, s.y_vx}, {s.x_vy, s.y_vy}};
+  double k[4][2];
+  for (int i = 0; i < 4; ++i) {
+    k[i][0] = h[i][0] * W.xx + h[i][1] * W.xy;
+    k[i][1] = h[i][0] * W.xy + h[i][1] * W.yy;
+  }
+  s.x += k[0][0] * nx + k[0][1] * ny;
+  s.y += k[1][0] * nx + k[1][1] * ny;
+  s.vx += k[2][0] * nx + k[2][1] * ny;
+  s.vy += k[3][0] * nx + k[3][1] * ny;
+  const auto shrink = [&](int i, int j) { return k[i][0] * h[j][0] + k[i][1] * h[j][1]; };
+  s.position.xx -= shrink(0, 0);
+  s.position.xy -= shrink(0, 1);
+  s.position.yy -= shrink(1, 1);
+  s.x_vx -= shrink(0, 2);
+  s.x_vy -= shrink(0, 3);
+  s.y_vx -= shrink(1, 2);
+  s.y_vy -= shrink(1, 3);
+  s.velocity.xx -= shrink(2, 2);
+  s.velocity.xy -= shrink(2, 3);
+  s.velocity.yy -= shrink(3, 3);
+  return -0.5 * (d2 - std::log(inverse)) - kLogTwoPi;
+}
+
+/// Adds weight · (covariance of `from` + spread of its mean about that of `to`) to the covariance of `to`.
+void addSpread(PlanarState& to, const PlanarState& from, double weight) {
+  const double dx = from.x - to.x, dy = from.y - to.y, dvx = from.vx - to.vx, dvy = from.vy - to.vy;
+  to.position.xx += weight * (from.position.xx + dx * dx);
+  to.position.xy += weight * (from.position.xy + dx * dy);
+  to.position.yy += weight * (from.position.yy + dy * dy);
+  to.x_vx += weight * (from.x_vx + dx * dvx);
+  to.x_vy += weight * (from.x_vy + dx * dvy);
+  to.y_vx += weight * (from.y_vx + dy * dvx);
+  to.y_vy += weight * (from.y_vy + dy * dvy);
+  to.velocity.xx += weight * (from.velocity.xx + dvx * dvx);
+  to.velocity.xy += weight * (from.velocity.xy + dvx * dvy);
+  to.velocity.yy += weight * (from.velocity.yy + dvy * dvy);
+}
+
+PlanarState meanOf(const States& states, const Weights& weights) {
+  PlanarState result;
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    result.x += weights[i] * states[i].x;
+    result.y += weights[i] * states[i].y;
+    result.vx += weights[i] * states[i].vx;
+    result.vy += weights[i] * states[i].vy;
+  }
+  return result;
+}
+
+/// One Gaussian with the mean and the covariance of the mixture.
+PlanarState merged(const States& states, const Weights& weights) {
+  PlanarState result = meanOf(states, weights);
+  for (std::size_t i = 0; i < states.size(); ++i) addSpread(result, states[i], weights[i]);
+  return result;
+}
+
+void move(States& states, double dt, const TurningFilterParams& params) {
+  const auto motion = motions(dt, params.turn_rate);
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    moveMean(states[i], motion[i]);
+    moveCovariance(states[i], motion[i], dt, i == 0 ? params.straight_acceleration : params.turning_acceleration);
+  }
+}
+
+}  // namespace
+
+PlanarMeasurement planarMeasurement(double range, double azimuth, double range_sigma, double azimuth_sigma) {
+  const double s = std::sin(azimuth), c = std::cos(azimuth);
+  const double along = range_sigma * range_sigma, cross = range * range * azimuth_sigma * azimuth_sigma;
+  return {
+      range * s, range * c, {along * s * s + cross * c * c, (along - cross) * s * c, along * c * c + cross * s * s}};
+}
+
+void TurningFilter::start(const PlanarMeasurement& z, const TurningFilterParams& params) {
+  PlanarState first;
+  first.x = z.x;
+  first.y = z.y;
+  first.position = z.covariance;
+  first.velocity = {params.speed_sigma * params.speed_sigma, 0.0, params.speed_sigma * params.speed_sigma};
+  state_.fill(first);
+  const double straight = params.straight_time / (params.straight_time + params.turning_time);
+  probability_ = {straight, 0.5 * (1.0 - straight), 0.5 * (1.0 - straight)};
+}
+
+void TurningFilter::mix(double dt, const TurningFilterParams& params) {
+  const double begin = 1.0 - std::exp(-dt / params.straight_time), end = 1.0 - std::exp(-dt / params.turning_time);
+  // A turn ends in straight flight; it does not change its side.
+  const double transition[kModels][kModels] = {
+      {1.0 - begin, 0.5 * begin, 0.5 * begin}, {end, 1.0 - end, 0.0}, {end, 0.0, 1.0 - end}};
+  States mixed;
+  Weights next;
+  for (std::size_t to = 0; to < kModels; ++to) {
+    Weights weight;
+    double sum = 0.0;
+    for (std::size_t from = 0; from < kModels; ++from) sum += weight[from] = transition[from][to] * probability_[from];
+    for (double& w : weight) w /= sum;
+    next[to] = sum;
+    mixed[to] = merged(state_, weight);
+  }
+  state_ = mixed;
+  probability_ = next;
+}
+
+double TurningFilter::update(const PlanarMeasurement& z, double dt, const TurningFilterParams& params) {
+  mix(dt, params);
+  move(state_, dt, params);
+  Weights likelihood;
+  for (std::size_t i = 0; i < kModels; ++i) likelihood[i] = correct(state_[i], z);
+  const double greatest = *std::max_element(likelihood.begin(), likelihood.end());
+  double sum = 0.0;
+  for (std::size_t i = 0; i < kModels; ++i) sum += probability_[i] *= std::exp(likelihood[i] - greatest);
+  // A floor keeps a model from dying for good by underflow.
+  for (double& p : probability_) p = std::max(p / sum, 1e-12);
+  return greatest + std::log(sum);
+}
+
+PlanarState TurningFilter::mean() const { return meanOf(state_, probability_); }
+
+PlanarState TurningFilter::predict(double dt, const TurningFilterParams& params) const {
+  States moved = state_;
+  move(moved, dt, params);
+  return merged(moved, probability_);
+}
+
+}  // namespace adit_tracker

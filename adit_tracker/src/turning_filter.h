@@ -1,0 +1,76 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+namespace adit_tracker {
+
+/// A symmetric 2 × 2 matrix.
+struct Symmetric2 {
+  double xx = 0.0, xy = 0.0, yy = 0.0;
+
+  double determinant() const { return xx * yy - xy * xy; }
+  /// v' M⁻¹ v
+  double mahalanobis(double x, double y) const { return (yy * x * x - 2.0 * xy * x * y + xx * y * y) / determinant(); }
+};
+
+/// A measured position on the plane (x east, y north [m]) and its covariance [m²].
+struct PlanarMeasurement {
+  double x = 0.0, y = 0.0;
+  Symmetric2 covariance;
+};
+
+/// Range [m] and azimuth [rad] with their standard deviations, on the plane. First-order conversion; good while
+/// range · azimuth_sigma² / 2 is small against the sigmas (below 0.1 of them to 400 km at 0.3°).
+PlanarMeasurement planarMeasurement(double range, double azimuth, double range_sigma, double azimuth_sigma);
+
+/// Gaussian of position and velocity on the plane. The covariance is kept as blocks: position, cross (row: position,
+/// column: velocity), velocity.
+struct PlanarState {
+  double x = 0.0, y = 0.0, vx = 0.0, vy = 0.0;  // [m], [m/s]
+  Symmetric2 position;
+  double x_vx = 0.0, x_vy = 0.0, y_vx = 0.0, y_vy = 0.0;
+  Symmetric2 velocity;
+};
+
+/// What the turning filter assumes. One set serves all tracks.
+struct TurningFilterParams {
+  double turn_rate = 0.0384;           // Of the turning models, one each way [rad/s], (0, 0.5]: 2.2°/s.
+  double straight_acceleration = 0.3;  // White acceleration density of the straight model [m²/s³].
+  double turning_acceleration = 15.0;  // The same of the turning models.
+  double straight_time = 100.0;        // Mean time between turns [s].
+  double turning_time = 30.0;          // Mean time of a turn [s].
+  double speed_sigma = 200.0;          // Of each velocity component before it is known [m/s].
+};
+
+/// Interacting multiple models (Blom & Bar-Shalom 1988) on the plane: straight flight, turn to the right, turn to the
+/// left, each a Kalman filter. It removes the pass-course effect of filters in polar coordinates and follows turns
+/// without being noisy in between.
+class TurningFilter {
+ public:
+  static constexpr std::size_t kModels = 3;
+
+  /// A track from its first measurement, at rest, with velocity unknown.
+  void start(const PlanarMeasurement& measurement, const TurningFilterParams& params);
+
+  /// Moves on by dt [s] ≥ 0, corrects by the measurement. Returns the natural logarithm of the measurement's likelihood
+  /// [1/m²].
+  double update(const PlanarMeasurement& measurement, double dt, const TurningFilterParams& params);
+
+  /// The mixture moved on by dt [s], by one Gaussian of the same mean and covariance.
+  PlanarState predict(double dt, const TurningFilterParams& params) const;
+
+  /// The mean of the mixture now; its covariances are left at 0.
+  PlanarState mean() const;
+
+  /// Chance that the target flies straight now, 0..1.
+  double straightProbability() const { return probability_[0]; }
+
+ private:
+  void mix(double dt, const TurningFilterParams& params);
+
+  std::array<PlanarState, kModels> state_;
+  std::array<double, kModels> probability_{};
+};
+
+}  // namespace adit_tracker
