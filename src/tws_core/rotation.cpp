@@ -1,0 +1,213 @@
+#include <tws_core/rotation.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include <tws_core/angles.h>
+#include <tws_core/rotation_search.h>
+#include <tws_core/units.h>
+
+namespace tws {
+namespace {
+
+using Plots = std::vector<TimedAzimuth>;
+
+constexpr double kGreatestDrift = 0.03;  // share by which the local turning rate may differ from the mean
+
+// The mean beam of a few turns: wrapped azimuth [rad] at a time amid its plots [s], turning rate [rad/s].
+struct BeamLine {
+  double time;
+  double azimuth;
+  double rate;
+  double at(double t) const { return azimuth + rate * (t - time); }
+};
+
+void checkPeriod(double period) {
+  if (period >= 0.01 && period <= 1e5) return;
+  throw std::invalid_argument("Rotation: period " + std::to_string(period) + " s is not in 0.01..100000 s");
+}
+
+// In order of time, the earliest at time 0, so that phases stay exact for times far from zero. Returns that time.
+double sortFromZero(Plots& plots) {
+  for (std::size_t i = 0; i < plots.size(); ++i) {
+    if (std::abs(plots[i].time) <= 1e10 && std::isfinite(plots[i].azimuth)) continue;
+    throw std::invalid_argument("Rotation: plot " + std::to_string(i) +
+                                " has a time beyond 1e10 s or an azimuth that is not finite");
+  }
+  const auto earlier = [](const TimedAzimuth& a, const TimedAzimuth& b) {
+    return std::pair(a.time, a.azimuth) < std::pair(b.time, b.azimuth);
+  };
+  if (!std::is_sorted(plots.begin(), plots.end(), earlier)) std::sort(plots.begin(), plots.end(), earlier);
+  const double start = plots.empty() ? 0.0 : plots.front().time;
+  for (TimedAzimuth& plot : plots) plot.time -= start;
+  return start;
+}
+
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+double medianResidual(const BeamLine& line, const TimedAzimuth* first, const TimedAzimuth* last) {
+  std::vector<double> residuals;
+  for (const TimedAzimuth* plot = first; plot != last; ++plot) {
+    residuals.push_back(std::abs(wrapPi(plot->azimuth - line.at(plot->time))));
+  }
+  return median(std::move(residuals));
+}
+
+// Least squares of the residuals within the gate.
+BeamLine refit(const BeamLine& line, const TimedAzimuth* first, const TimedAzimuth* last, double gate, bool keep_rate) {
+  double n = 0.0, t = 0.0, tt = 0.0, r = 0.0, tr = 0.0;
+  for (const TimedAzimuth* plot = first; plot != last; ++plot) {
+    const double residual = wrapPi(plot->azimuth - line.at(plot->time));
+    if (std::abs(residual) > gate) continue;
+    const double time = plot->time - line.time;
+    n += 1.0;
+    t += time;
+    tt += time * time;
+    r += residual;
+    tr += time * residual;
+  }
+  const double spread = tt - t * t / n;
+  const double slope = keep_rate || spread <= 0.0 ? 0.0 : (tr - t * r / n) / spread;
+  return {line.time + t / n, line.at(line.time + t / n) + r / n, line.rate + slope};
+}
+
+// Draws the line to what most plots agree on: at first from little more than the better half, then from all but those
+// four standard deviations off by the median, which outliers do not move much.
+BeamLine fitMost(BeamLine line, const TimedAzimuth* first, const TimedAzimuth* last, bool keep_rate) {
+  constexpr double kDeviationsPerMedian = 1.4826;  // of a normal distribution
+  constexpr double kLeastGate = radians(0.05);
+  for (const double medians : {1.5, 1.5, 1.5, 1.5, 1.5, 1.5, 4.0 * kDeviationsPerMedian, 4.0 * kDeviationsPerMedian}) {
+    line = refit(line, first, last, std::max(kLeastGate, medians * medianResidual(line, first, last)), keep_rate);
+  }
+  return line;
+}
+
+// The beam through a window of plots; nothing when most of them do not lie along one.
+std::optional<BeamLine> fitLine(const TimedAzimuth* first, const TimedAzimuth* last, double frequency) {
+  constexpr double kLeastCoherence = 0.4;
+  const CoherencePeak peak = peakNear(first, last, frequency, kGreatestDrift);
+  if (peak.coherence < kLeastCoherence) return std::nullopt;
+  const double azimuth = std::arg(PlotWindow(first, last).resultant(peak.frequency));
+  const bool keep_rate = ((last - 1)->time - first->time) * frequency < 3.0;  // too short to tell it
+  const BeamLine line = fitMost({0.0, azimuth, kTwoPi * peak.frequency}, first, last, keep_rate);
+  if (std::abs(line.rate / (kTwoPi * frequency) - 1.0) > 2.0 * kGreatestDrift) return std::nullopt;
+  return line;
+}
+
+// Ten turns [s], more where plots are few.
+double windowLength(const Plots& plots, double frequency) {
+  constexpr double kTurns = 10.0;
+  constexpr double kPlots = 20.0;
+  const double sparse = kPlots * plots.back().time / static_cast<double>(plots.size());
+  return std::clamp(sparse, kTurns / frequency, 20.0 * kTurns / frequency);
+}
+
+// Of two lines closer than a quarter of a window the later stays.
+void append(std::vector<BeamLine>& lines, const BeamLine& line, double length) {
+  if (!lines.empty() && line.time <= lines.back().time) return;
+  if (!lines.empty() && line.time < lines.back().time + length / 4.0) lines.pop_back();
+  lines.push_back(line);
+}
+
+// Lines through windows of this length, each half over the one before, the last one whole as well.
+std::vector<BeamLine> localLines(const Plots& plots, double frequency, double length) {
+  constexpr std::size_t kLeastPlots = 12;
+  const TimedAzimuth* const end = plots.data() + plots.size();
+  const double span = plots.back().time;
+  std::vector<BeamLine> lines;
+  for (const TimedAzimuth* first = plots.data(); first != end;) {
+    if (first->time > span - length) first = firstNotBefore(plots.data(), end, span - length);
+    const TimedAzimuth* const last = firstNotBefore(first, end, first->time + length * 1.000001);
+    const bool long_enough = (last - 1)->time - first->time >= std::min(length / 2.0, span);
+    if (long_enough && static_cast<std::size_t>(last - first) >= std::min(kLeastPlots, plots.size())) {
+      const std::optional<BeamLine> line = fitLine(first, last, frequency);
+      if (line) append(lines, *line, length);
+    }
+    first = last == end ? end : firstNotBefore(first, end, first->time + length / 2.0);
+  }
+  return lines;
+}
+
+// Counts the whole turns from line to line, by the mean of both rates.
+void unwrap(std::vector<BeamLine>& lines) {
+  for (std::size_t i = 1; i < lines.size(); ++i) {
+    const BeamLine& before = lines[i - 1];
+    BeamLine& line = lines[i];
+    const double expected = before.azimuth + (line.time - before.time) * (before.rate + line.rate) / 2.0;
+    line.azimuth = expected + wrapPi(line.azimuth - expected);
+  }
+}
+
+}  // namespace
+
+Rotation Rotation::uniform(double period, double azimuth_at_zero) {
+  checkPeriod(period);
+  if (!std::isfinite(azimuth_at_zero)) throw std::invalid_argument("Rotation: the azimuth at time 0 is not finite");
+  return Rotation({{0.0, azimuth_at_zero}, {period, azimuth_at_zero + kTwoPi}});
+}
+
+Rotation Rotation::fromPlots(std::vector<TimedAzimuth> plots) {
+  const double start = sortFromZero(plots);
+  return follow(plots, findFrequency(plots), start);
+}
+
+Rotation Rotation::fromPlots(std::vector<TimedAzimuth> plots, double period) {
+  checkPeriod(period);
+  const double start = sortFromZero(plots);
+  return follow(plots, findFrequency(plots, period), start);
+}
+
+// The knots are the lines' middles, where they are known best. The outer lines, and those beside a gap, go on by half a
+// window: what lies between them is not known.
+Rotation Rotation::follow(const std::vector<TimedAzimuth>& plots, double frequency, double start) {
+  const double length = windowLength(plots, frequency);
+  std::vector<BeamLine> lines = localLines(plots, frequency, length);
+  if (lines.empty()) {
+    throw std::invalid_argument("Rotation: the plots lie along a beam nowhere for ten turns, or are too few there");
+  }
+  lines.front().azimuth += wrapTwoPi(lines.front().at(0.0)) - lines.front().at(0.0);
+  unwrap(lines);
+  std::vector<Knot> knots;
+  const auto add = [&](const BeamLine& line, double time) { knots.push_back({start + time, line.at(time)}); };
+  add(lines.front(), lines.front().time - length / 2.0);
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const bool after_gap = i > 0 && lines[i].time - lines[i - 1].time > 2.0 * length;
+    if (after_gap) add(lines[i - 1], lines[i - 1].time + length / 2.0);
+    if (after_gap) add(lines[i], lines[i].time - length / 2.0);
+    add(lines[i], lines[i].time);
+  }
+  add(lines.back(), lines.back().time + length / 2.0);
+  return Rotation(std::move(knots));
+}
+
+double Rotation::period() const {
+  const Knot& first = knots_.front();
+  const Knot& last = knots_.back();
+  return kTwoPi * (last.time - first.time) / (last.unwrapped - first.unwrapped);
+}
+
+double Rotation::unwrappedAt(double time) const {
+  const auto later = [](double t, const Knot& knot) { return t < knot.time; };
+  const auto next = std::upper_bound(knots_.begin() + 1, knots_.end() - 1, time, later);
+  const auto before = next - 1;
+  const double share = (time - before->time) / (next->time - before->time);
+  return before->unwrapped + share * (next->unwrapped - before->unwrapped);
+}
+
+double Rotation::timeAt(double unwrapped) const {
+  const auto later = [](double azimuth, const Knot& knot) { return azimuth < knot.unwrapped; };
+  const auto next = std::upper_bound(knots_.begin() + 1, knots_.end() - 1, unwrapped, later);
+  const auto before = next - 1;
+  const double share = (unwrapped - before->unwrapped) / (next->unwrapped - before->unwrapped);
+  return before->time + share * (next->time - before->time);
+}
+
+}  // namespace tws

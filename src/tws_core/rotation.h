@@ -1,0 +1,51 @@
+#pragma once
+
+#include <utility>
+#include <vector>
+
+namespace tws {
+
+/// When the beam was where: the time [s] and measured azimuth [rad], clockwise, of one plot.
+struct TimedAzimuth {
+  double time;
+  double azimuth;
+};
+
+/// How a radar's beam turned: its unwrapped azimuth [rad] (each turn adds 2π) against time [s], piecewise linear and
+/// strictly increasing. Beyond the plots it turns on as it did in the last (first) ten turns.
+class Rotation {
+ public:
+  /// A beam that turns evenly. The period is in 0.01..100000 s, the azimuth [rad] is the beam's at t = 0, which is also
+  /// its unwrapped azimuth. Throws std::invalid_argument when the period is outside or the azimuth not finite.
+  static Rotation uniform(double period, double azimuth_at_zero);
+
+  /// Finds period (1..60 s) and phase from the plots of one radar alone, in any order, then follows the slow drift of
+  /// the real rotation. At least 20 plots over three turns are needed, and most must lie where the beam was. The
+  /// unwrapped azimuth is in [0, 2π) at the first plot. Plots that do not tell a period from its fractions (all at one
+  /// azimuth) get the longest. Throws std::invalid_argument that says why when the plots show no rotation, or one has
+  /// a time beyond ±1e10 s or an azimuth that is not finite.
+  static Rotation fromPlots(std::vector<TimedAzimuth> plots);
+  /// The same with a known nominal period in 0.01..100000 s, right to about 2 %: five plots are enough, and less than
+  /// three turns of them give the phase alone.
+  static Rotation fromPlots(std::vector<TimedAzimuth> plots, double period);
+
+  /// The mean [s] over the time seen.
+  double period() const;
+  /// The beam's unwrapped azimuth [rad] at a time [s].
+  double unwrappedAt(double time) const;
+  /// The time [s] at which the beam stood there: the inverse of unwrappedAt.
+  double timeAt(double unwrapped) const;
+
+ private:
+  struct Knot {
+    double time;
+    double unwrapped;
+  };
+
+  explicit Rotation(std::vector<Knot> knots) : knots_(std::move(knots)) {}
+  static Rotation follow(const std::vector<TimedAzimuth>& plots, double frequency, double start);
+
+  std::vector<Knot> knots_;  // two or more, both members strictly increasing
+};
+
+}  // namespace tws
