@@ -53,8 +53,8 @@ std::string faultOf(const tws_msgs::Detection& detection) {
       {"azimuth", detection.azimuth, 0.0, below_two_pi, false},
       {"elevation", detection.elevation, -kHalfPi, kHalfPi, true},
       {"range rate", detection.range_rate, -kLargest, kLargest, true},
-      {"range sigma", detection.range_sigma, kSmallest, kLargest, true},
-      {"azimuth sigma", detection.azimuth_sigma, kSmallest, kLargest, true},
+      {"range sigma", detection.range_sigma, 0.0, kLargest, true},
+      {"azimuth sigma", detection.azimuth_sigma, 0.0, kLargest, true},
       {"signal-to-noise ratio", detection.snr, -kLargest, kLargest, true},
   };
   for (const Field& field : fields) {

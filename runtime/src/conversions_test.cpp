@@ -113,7 +113,8 @@ TEST(Conversions, ABadFieldIsNamedWithItsValue) {
   EXPECT_EQ(faultWith(&D::azimuth, 0.0), "");
   EXPECT_EQ(faultWith(&D::elevation, 2.0), "elevation is 2");
   EXPECT_EQ(faultWith(&D::range_rate, -kInfinity), "range rate is -inf");
-  EXPECT_EQ(faultWith(&D::range_sigma, 0.0), "range sigma is 0");
+  EXPECT_EQ(faultWith(&D::range_sigma, 0.0), "");
+  EXPECT_EQ(faultWith(&D::range_sigma, -1.0), "range sigma is -1");
   EXPECT_EQ(faultWith(&D::azimuth_sigma, -0.1), "azimuth sigma is -0.1");
   tws_msgs::Detection loud = toDetection(goodPlot());
   loud.snr = std::numeric_limits<float>::infinity();

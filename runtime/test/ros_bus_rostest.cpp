@@ -1,8 +1,10 @@
 #include <diagnostic_msgs/DiagnosticArray.h>
 #include <gtest/gtest.h>
+#include <ros/callback_queue.h>
 #include <ros/ros.h>
 #include <rosgraph_msgs/Clock.h>
 #include <tws_runtime/local_graph.h>
+#include <tws_runtime/ros_bus.h>
 #include <tws_runtime/run.h>
 
 #include <functional>
@@ -145,6 +147,61 @@ TEST_F(RosBusTest, CountersShowInTheDiagnostics) {
   EXPECT_EQ(hardware_id, "relay");
   EXPECT_EQ(values["numbers"], "40");
   EXPECT_EQ(values["sevens"], "4");
+}
+
+/// A Bus on a handle with a queue of its own, as a nodelet gets it.
+struct OwnQueue {
+  explicit OwnQueue(const std::string& name) : handle("/" + name) { handle.setCallbackQueue(&queue); }
+  ros::CallbackQueue queue;
+  ros::NodeHandle handle;
+};
+
+// If this fails, the nodes cannot run as nodelets, or are called from the wrong thread.
+TEST_F(RosBusTest, ANodeRunsOnAHandleWithAQueueOfItsOwn) {
+  ros::param::set("/nodelet/gain", 2);
+  OwnQueue own("nodelet");
+  RosBus bus(own.handle);
+  const RelayNode node(bus);
+  EXPECT_EQ(bus.name(), "nodelet");
+  tws_msgs::Detections number;
+  number.running_sector = 21;
+  Publisher<tws_msgs::Detections> numbers = bus.advertise<tws_msgs::Detections>("/numbers");
+  std::vector<std::uint32_t> answers;
+  bus.subscribe<tws_msgs::Detections>("/nodelet/out", [&](const auto& m) { answers.push_back(m.running_sector); });
+  numbers.publish(number);
+  ros::spinOnce();
+  EXPECT_TRUE(answers.empty()) << "called from the global queue";
+  EXPECT_TRUE(waitFor([&] {
+    own.queue.callAvailable();
+    return !answers.empty();
+  }));
+  EXPECT_EQ(answers, std::vector<std::uint32_t>{42});
+}
+
+// If this fails, nodelets copy every message.
+TEST_F(RosBusTest, BetweenNodesOfOneProcessMessagesAreNotCopied) {
+  OwnQueue first("first");
+  OwnQueue second("second");
+  RosBus sender(first.handle);
+  RosBus receiver(second.handle);
+  Publisher<tws_msgs::Detections> publisher = sender.advertise<tws_msgs::Detections>("/shared");
+  const tws_msgs::Detections* received = nullptr;
+  receiver.subscribe<tws_msgs::Detections>("/shared", [&](const auto& message) { received = &message; });
+  const auto message = boost::make_shared<const tws_msgs::Detections>();
+  publisher.publish(message);
+  EXPECT_TRUE(waitFor([&] {
+    second.queue.callAvailable();
+    return received != nullptr;
+  }));
+  EXPECT_EQ(received, message.get());
+}
+
+// If this fails, two nodes that disagree about a topic's type talk past each other.
+TEST_F(RosBusTest, ATopicOfAnotherTypeIsRefused) {
+  OwnQueue own("types");
+  RosBus bus(own.handle);
+  const auto publisher = bus.advertise<tws_msgs::Detections>("/typed");
+  EXPECT_THROW(bus.advertise<std_msgs::Header>("/typed"), std::runtime_error);
 }
 
 }  // namespace

@@ -15,8 +15,8 @@ struct Plot {
   double azimuth = 0.0;             ///< Clockwise from true north [rad], [0, 2 pi).
   double elevation = kUnknown;      ///< Up from the horizontal [rad], [-pi/2, pi/2].
   double range_rate = kUnknown;     ///< Measured Doppler range rate, positive outbound [m/s].
-  double range_sigma = kUnknown;    ///< Standard deviation of the range [m], > 0.
-  double azimuth_sigma = kUnknown;  ///< Standard deviation of the azimuth [rad], > 0.
+  double range_sigma = kUnknown;    ///< Standard deviation of the range [m], >= 0.
+  double azimuth_sigma = kUnknown;  ///< Standard deviation of the azimuth [rad], >= 0.
   double snr = kUnknown;            ///< Signal-to-noise ratio [dB].
 };
 
