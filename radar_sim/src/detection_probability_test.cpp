@@ -30,11 +30,11 @@ TEST(MarcumQ, IsTheIntegralThatDefinesIt) {
   for (const double a : {0.5, 2.0, 5.0}) {
     for (const double b : {0.5, 3.0, 5.2}) {
       double integral = 0.0;
-      const double step = 1e-4;
+      const double step = 1e-3;
       for (double x = b + step / 2.0; x < a + b + 12.0; x += step) {
         integral += x * std::exp(-(x * x + a * a) / 2.0) * std::cyl_bessel_i(0.0, a * x) * step;
       }
-      EXPECT_NEAR(marcumQ(a, b), integral, 1e-7) << a << ' ' << b;
+      EXPECT_NEAR(marcumQ(a, b), integral, 1e-6) << a << ' ' << b;
     }
   }
 }

@@ -73,12 +73,13 @@ void readMeasurement(ParameterReader& reader, RadarParams& radar) {
   radar.false_alarms_by_area = by == "area";
 }
 
-/// It becomes the first part of topic names.
+/// It becomes the first part of topic names, and a frame beside "map".
 void readRadarName(ParameterReader& reader, std::string& name) {
   readName(reader, name);
   if (std::isalpha(static_cast<unsigned char>(name[0])) == 0 || name.find('-') != std::string::npos) {
     reader.fail("name", "'" + name + "' cannot be a topic's name: a letter first, then letters, digits and _");
   }
+  if (name == "map") reader.fail("name", "'map' is the frame of the whole scenario");
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <tws_core/angles.h>
 #include <tws_core/units.h>
 
 namespace radar_sim {
@@ -39,7 +40,7 @@ TEST(Resolution, MergesAcrossNorth) {
   std::vector<Echo> pending{echo(1.00, 50000.0, 359.5, 20.0), echo(1.02, 50000.0, 0.5, 20.0)};
   const auto resolved = resolve(pending, 2.0, kRangeCell, kAzimuthCell);
   ASSERT_EQ(resolved.size(), 1u);
-  EXPECT_NEAR(std::sin(resolved[0].azimuth), 0.0, 1e-9);
+  EXPECT_NEAR(tws::wrapPi(resolved[0].azimuth), 0.0, 1e-9);
 }
 
 TEST(Resolution, LeavesCellsOpenThatBeginLater) {

@@ -49,9 +49,9 @@ Target straight(const std::string& name, const Eigen::Vector2d& from, const Eige
   return target;
 }
 
-class Run {
+class RadarRun {
  public:
-  Run(const RadarParams& params, std::vector<Target> targets, std::vector<Fault> faults = {})
+  RadarRun(const RadarParams& params, std::vector<Target> targets, std::vector<Fault> faults = {})
       : targets_(std::move(targets)),
         radar_(params, Eigen::Isometry3d::Identity(), targets_, std::move(faults), kSeed, kStart) {}
 
@@ -79,7 +79,7 @@ double binomialBound(double p, double n) { return 4.5 * std::sqrt(p * (1.0 - p) 
 TEST(RotatingRadar, CountsItsSectorsAndStampsTheMarksInTicks) {
   RadarParams params = quietRadar();
   params.start_azimuth = tws::radians(100.0);
-  Run run(params, {});
+  RadarRun run(params, {});
   const auto sectors = run.sectors(3);
   for (std::size_t i = 0; i < sectors.size(); ++i) {
     EXPECT_EQ(sectors[i].running, 17 + static_cast<std::int64_t>(i));
@@ -102,7 +102,7 @@ TEST(RotatingRadar, MeasuresAMovingTargetWhereItIsWhenTheBeamPasses) {
   params.range_sigma = params.azimuth_sigma = 0.0;
   params.range_lsb = params.azimuth_lsb = params.time_lsb = 0.0;
   const Eigen::Vector2d from(30e3, -20e3), velocity(-200.0, 220.0);
-  Run run(params, {straight("alpha", from, velocity)});
+  RadarRun run(params, {straight("alpha", from, velocity)});
   const auto plots = run.plots(40);
   ASSERT_GT(plots.size(), 35u);
   for (const tws::Plot& plot : plots) {
@@ -121,7 +121,7 @@ TEST(RotatingRadar, SeesEachTargetOnceATurnAlsoAcrossNorth) {
   for (int i = 0; i < 20; ++i)
     targets.push_back(
         straight("t" + std::to_string(i), {1000.0 * (i - 10), 40e3 + 3e3 * i}, {i % 2 == 0 ? 250.0 : -250.0, 0.0}));
-  Run run(params, targets);
+  RadarRun run(params, targets);
   std::map<int, int> seen;
   const auto plots = run.plots(100);
   // At most one a turn and target, and one more for those who go against the beam and are met earlier.
@@ -132,7 +132,7 @@ TEST(RotatingRadar, SeesEachTargetOnceATurnAlsoAcrossNorth) {
 TEST(RotatingRadar, KeepsPlotsInsideTheirSectorAndQuantised) {
   RadarParams params = quietRadar();
   params.false_alarms_per_scan = 500.0;
-  Run run(params, {});
+  RadarRun run(params, {});
   for (const tws::RadarSector& sector : run.sectors(5)) {
     double before = sector.enter_time;
     for (const tws::Plot& plot : sector.plots) {
@@ -153,7 +153,7 @@ TEST(RotatingRadar, HasTheNoiseThatItStates) {
   params.range_lsb = params.azimuth_lsb = 0.0;
   params.range_sigma = 80.0;
   params.azimuth_sigma = tws::radians(0.25);
-  Run run(params, {still("alpha", 50e3, 77.0, 0.999)});
+  RadarRun run(params, {still("alpha", 50e3, 77.0, 0.999)});
   const auto plots = run.plots(4000);
   const double n = static_cast<double>(plots.size());
   ASSERT_GT(n, 3900.0);
@@ -184,7 +184,7 @@ TEST(RotatingRadar, DetectsAsOftenAsItsRadarEquationSays) {
     start.height = 6000.0;
     target.reflection = {2.0, fluctuation, tws::Plot::kUnknown, 0.0};
     target.trajectory = std::make_shared<FlightPath>(start, std::vector<Leg>{}, 0.0);
-    Run run(params, {target});
+    RadarRun run(params, {target});
     const double expected = run.radar().detectionProbability(0, kStart + 5.0);
     ASSERT_GT(expected, 0.02);  // neither certain nor hopeless, or the check would check nothing
     ASSERT_LT(expected, 0.98);
@@ -199,7 +199,7 @@ TEST(RotatingRadar, DetectsStatedTargetsWithTheirProbabilityAndJitter) {
   RadarParams params = quietRadar();
   params.range_sigma = 80.0;
   params.range_lsb = 0.0;
-  Run run(params, {target});
+  RadarRun run(params, {target});
   EXPECT_DOUBLE_EQ(run.radar().detectionProbability(0, kStart + 1.0), 0.6);
   const auto plots = run.plots(3000);
   EXPECT_NEAR(static_cast<double>(plots.size()) / 3000.0, 0.6, binomialBound(0.6, 3000.0));
@@ -214,7 +214,7 @@ TEST(RotatingRadar, RaisesFalseAlarmsAtTheirRateUniformOverTheArea) {
   params.false_alarms_per_scan = 40.0;
   params.min_range = 1000.0;
   params.max_range = 100e3;
-  Run run(params, {});
+  RadarRun run(params, {});
   const int turns = 500;
   const auto plots = run.plots(turns);
   const double n = static_cast<double>(plots.size());
@@ -234,7 +234,7 @@ TEST(RotatingRadar, RaisesFalseAlarmsUniformOverTheCellsWhenAskedTo) {
   params.false_alarms_per_scan = 40.0;
   params.max_range = 100e3;
   params.false_alarms_by_area = false;
-  Run run(params, {});
+  RadarRun run(params, {});
   const auto plots = run.plots(200);
   double near = 0.0;
   for (const tws::Plot& plot : plots) near += plot.range < 50.5e3;
@@ -244,8 +244,8 @@ TEST(RotatingRadar, RaisesFalseAlarmsUniformOverTheCellsWhenAskedTo) {
 TEST(RotatingRadar, GivesOnePlotForTwoTargetsInOneCell) {
   RadarParams params = quietRadar();
   params.pulse_width = 2e-6;  // 300 m
-  Run apart(params, {still("a", 50e3, 40.0, 0.999), still("b", 51e3, 40.0, 0.999)});
-  Run together(params, {still("a", 50e3, 40.0, 0.999), still("b", 50.1e3, 40.5, 0.999)});
+  RadarRun apart(params, {still("a", 50e3, 40.0, 0.999), still("b", 51e3, 40.0, 0.999)});
+  RadarRun together(params, {still("a", 50e3, 40.0, 0.999), still("b", 50.1e3, 40.5, 0.999)});
   EXPECT_GT(apart.plots(100).size(), 195u);
   const auto merged = together.plots(100);
   EXPECT_LE(merged.size(), 100u);
@@ -255,7 +255,7 @@ TEST(RotatingRadar, GivesOnePlotForTwoTargetsInOneCell) {
 TEST(RotatingRadar, SeesNothingBeyondItsInstrumentedRange) {
   RadarParams params = quietRadar();
   params.max_range = 60e3;
-  Run run(params, {still("far", 61e3, 40.0, 0.999), still("near", 500.0, 40.0, 0.999)});
+  RadarRun run(params, {still("far", 61e3, 40.0, 0.999), still("near", 500.0, 40.0, 0.999)});
   EXPECT_TRUE(run.plots(20).empty());
   EXPECT_EQ(run.radar().detectionProbability(0, kStart + 1.0), 0.0);
 }
@@ -267,7 +267,7 @@ TEST(RotatingRadar, HasMarksButNoPlotsOnAMissedScan) {
   fault.kind = FaultKind::kMissedScan;
   fault.from = kStart + 6.0;
   fault.to = kStart + 12.0;
-  Run run(params, {still("a", 50e3, 40.0, 0.999)}, {fault});
+  RadarRun run(params, {still("a", 50e3, 40.0, 0.999)}, {fault});
   std::vector<std::size_t> counts(3, 0);
   for (const tws::RadarSector& sector : run.sectors(3))
     counts[static_cast<std::size_t>(sector.running / 64)] += sector.plots.size();
@@ -289,7 +289,7 @@ TEST(RotatingRadar, RaisesABurstWithinItsTimeAndAzimuths) {
   RadarParams params = quietRadar();
   params.azimuth_beamwidth = tws::radians(0.1);
   params.azimuth_sigma = 0.0;
-  Run run(params, {}, {burst});
+  RadarRun run(params, {}, {burst});
   const auto plots = run.plots(10);
   EXPECT_NEAR(static_cast<double>(plots.size()), 5.0 * 200.0, 4.5 * std::sqrt(1000.0) + 10.0);
   for (const tws::Plot& plot : plots) {
@@ -302,8 +302,8 @@ TEST(RotatingRadar, RaisesABurstWithinItsTimeAndAzimuths) {
 TEST(RotatingRadar, GivesOtherTargetsTheSamePlotsWhenOneIsAdded) {
   const Target a = straight("a", {40e3, 40e3}, {-200.0, 0.0});
   const Target b = straight("b", {-40e3, 60e3}, {0.0, -200.0});
-  Run alone(quietRadar(), {a});
-  Run both(quietRadar(), {b, a});
+  RadarRun alone(quietRadar(), {a});
+  RadarRun both(quietRadar(), {b, a});
   const auto expected = alone.plots(30);
   auto plots = both.plots(30);
   plots.erase(std::remove_if(plots.begin(), plots.end(), [](const tws::Plot& plot) { return plot.azimuth > tws::kPi; }),
@@ -319,7 +319,7 @@ TEST(RotatingRadar, GivesOtherTargetsTheSamePlotsWhenOneIsAdded) {
 
 // The turn of azimuth against the beam at the zenith has no crossing; the run must go on.
 TEST(RotatingRadar, SurvivesATargetStraightOverhead) {
-  Run run(quietRadar(), {straight("overhead", {0.0, -3000.0}, {0.0, 300.0})});
+  RadarRun run(quietRadar(), {straight("overhead", {0.0, -3000.0}, {0.0, 300.0})});
   EXPECT_NO_THROW(run.plots(20));
 }
 

@@ -176,7 +176,8 @@ TEST(Simulation, SeesEachTargetFromItsOwnSite) {
   // North at the island is turned by longitude · sin(latitude): 20 km / (cos 54° · 6391 km) · sin 54° = 0.247°.
   const Eigen::Vector3d north_in_map = map_to_island.linear().transpose() * Eigen::Vector3d::UnitY();
   EXPECT_NEAR(tws::degrees(std::atan2(north_in_map.x(), north_in_map.y())), -0.247, 0.003);
-  for (const auto& entry : run(scenario).truths.front().entries) {
+  const Record record = run(scenario);
+  for (const auto& entry : record.truths.front().entries) {
     const Eigen::Vector3d at_island = map_to_island * entry.state.position;
     EXPECT_NEAR(entry.sightings[1].slant_range, at_island.norm(), 1e-6);
   }

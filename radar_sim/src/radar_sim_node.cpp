@@ -1,0 +1,77 @@
+#include <radar_sim/radar_sim_node.h>
+
+#include <limits>
+#include <stdexcept>
+
+#include <tws_runtime/conversions.h>
+#include <tws_runtime/parameters.h>
+
+#include "conversions.h"
+#include "scenario.h"
+#include "simulation.h"
+
+namespace radar_sim {
+namespace {
+
+Scenario readParameters(tws_runtime::Bus& bus) {
+  tws_runtime::ParameterReader reader(bus.parameters(), bus.name());
+  std::string file;
+  long seed = 0;
+  double duration = 0.0;
+  reader.require("scenario");
+  reader.text("scenario", file);
+  reader.integer("seed", seed, 0, std::numeric_limits<long>::max());
+  reader.number("duration", duration, 1.0, 1e6);
+  reader.done();
+  ScenarioOverrides overrides;
+  if (reader.has("seed")) overrides.seed = static_cast<std::uint64_t>(seed);
+  if (reader.has("duration")) overrides.duration = duration;
+  return loadScenario(file, overrides);
+}
+
+std::unique_ptr<Simulation> makeSimulation(const Scenario& scenario, const std::string& node) {
+  try {
+    return std::make_unique<Simulation>(scenario);
+  } catch (const std::invalid_argument& error) {
+    throw tws_runtime::ParameterError(node + ": scenario: " + error.what());
+  }
+}
+
+}  // namespace
+
+RadarSimNode::RadarSimNode(tws_runtime::Bus& bus)
+    : scenario_(std::make_unique<Scenario>(readParameters(bus))), simulation_(makeSimulation(*scenario_, bus.name())) {
+  advertise(bus);
+}
+
+RadarSimNode::~RadarSimNode() = default;
+
+void RadarSimNode::advertise(tws_runtime::Bus& bus) {
+  truth_topic_ = bus.advertise<tws_msgs::Truth>("/truth");
+  for (const RadarParams& radar : scenario_->radars) {
+    radar_topics_.push_back({bus.advertise<tws_msgs::Detections>("/" + radar.name + "/detections"),
+                             bus.advertise<tws_msgs::SectorMark>("/" + radar.name + "/sector_marks")});
+    bus.publishStaticTransform(toTransform(mapToRadar(*scenario_, radar), radar.name));
+  }
+}
+
+std::optional<ros::Time> RadarSimNode::nextTime() const {
+  const std::optional<double> time = simulation_->nextTime();
+  return time ? std::optional<ros::Time>(tws_runtime::toTime(*time)) : std::nullopt;
+}
+
+std::optional<ros::Time> RadarSimNode::endTime() const { return tws_runtime::toTime(scenario_->endTime()); }
+
+void RadarSimNode::step() {
+  std::visit([this](const auto& report) { publish(report); }, simulation_->step());
+}
+
+void RadarSimNode::publish(const SectorReport& report) {
+  const std::string& radar = simulation_->radars()[report.radar].params().name;
+  radar_topics_[report.radar].detections.publish(tws_runtime::toDetections(report.sector, radar, radar));
+  radar_topics_[report.radar].marks.publish(toSectorMark(report, *simulation_));
+}
+
+void RadarSimNode::publish(const TruthReport& report) { truth_topic_.publish(toTruth(report, *simulation_)); }
+
+}  // namespace radar_sim
