@@ -16,7 +16,7 @@ RadarParams sps12() {
   radar.azimuth_beamwidth = tws::radians(3.0);
   radar.beams = {{tws::radians(4.0), tws::radians(9.0), tws::radians(45.0)}};
   radar.peak_power = 500e3;
-  radar.antenna_gain = fromDecibels(29.0);
+  radar.antenna_gain = fromDecibels(31.0);
   radar.wavelength = 0.23;
   radar.pulse_width = 2e-6;
   radar.noise_figure = fromDecibels(5.0);
@@ -37,7 +37,7 @@ RadarParams sps39() {
   radar.beams = {{tws::radians(1.5), tws::radians(3.0), 0.0},
                  {tws::radians(5.0), tws::radians(5.0), tws::radians(20.0)}};
   radar.peak_power = 1e6;
-  radar.antenna_gain = fromDecibels(35.0);
+  radar.antenna_gain = fromDecibels(37.0);
   radar.wavelength = 0.10;
   radar.pulse_width = 2e-6;
   radar.noise_figure = fromDecibels(5.0);

@@ -12,6 +12,8 @@
 namespace radar_sim {
 namespace {
 
+constexpr double kLeastRange = 1.0;  // noise may carry a very near plot below zero, a report never [m]
+
 double statedSnr(const Reflection& reflection, double pfa) {
   if (std::isnan(reflection.detection_probability)) return tws::Plot::kUnknown;
   return snrForDetectionProbability(reflection.fluctuation, reflection.detection_probability, pfa);
@@ -182,7 +184,7 @@ tws::Plot RotatingRadar::measure(const Echo& echo, const tws::RadarSector& secto
   tws::Plot plot;
   plot.time = std::clamp(clockTime(echo.time), sector.enter_time,
                          std::max(sector.enter_time, sector.leave_time - params_.time_lsb));
-  plot.range = std::max(tws::quantise(echo.range + echo.range_error, params_.range_lsb), params_.range_lsb);
+  plot.range = std::max(tws::quantise(echo.range + echo.range_error, params_.range_lsb), kLeastRange);
   plot.azimuth = tws::wrapTwoPi(tws::quantise(echo.azimuth + echo.azimuth_error, params_.azimuth_lsb));
   plot.range_sigma = noiseSigma(params_, params_.range_sigma, rangeCell(params_), snr);
   plot.azimuth_sigma = noiseSigma(params_, params_.azimuth_sigma, params_.azimuth_beamwidth, snr);

@@ -317,6 +317,18 @@ TEST(RotatingRadar, GivesOtherTargetsTheSamePlotsWhenOneIsAdded) {
   }
 }
 
+// Trackers refuse a range that is not positive.
+TEST(RotatingRadar, NeverReportsARangeBelowZero) {
+  RadarParams params = quietRadar();
+  params.min_range = 10.0;
+  params.range_sigma = 500.0;
+  params.range_lsb = 0.0;
+  RadarRun run(params, {still("near", 50.0, 40.0, 0.999)});
+  const auto plots = run.plots(100);
+  ASSERT_GT(plots.size(), 90u);
+  for (const tws::Plot& plot : plots) EXPECT_GT(plot.range, 0.0);
+}
+
 // The turn of azimuth against the beam at the zenith has no crossing; the run must go on.
 TEST(RotatingRadar, SurvivesATargetStraightOverhead) {
   RadarRun run(quietRadar(), {straight("overhead", {0.0, -3000.0}, {0.0, 300.0})});

@@ -3,6 +3,7 @@
 #include <ros/ros.h>
 #include <tf2_msgs/TFMessage.h>
 #include <tws_runtime/local_graph.h>
+#include <tws_runtime/parameters.h>
 #include <tws_runtime/run.h>
 
 #include <cmath>
@@ -90,14 +91,14 @@ class RadarSimTest : public ::testing::Test {
     offline = runInOneProcess();
     ros::NodeHandle node;
     std::vector<ros::Subscriber> subscribers;
-    subscribers.push_back(node.subscribe<tf2_msgs::TFMessage>(
-        "/tf_static", 0, [](const boost::shared_ptr<const tf2_msgs::TFMessage>& message) {
-          for (const auto& transform : message->transforms) transforms[transform.child_frame_id] = transform;
-        }));
+    const boost::function<void(const tf2_msgs::TFMessage&)> hear_frames = [](const tf2_msgs::TFMessage& message) {
+      for (const auto& transform : message.transforms) transforms[transform.child_frame_id] = transform;
+    };
+    subscribers.push_back(node.subscribe<tf2_msgs::TFMessage>("/tf_static", 0, hear_frames));
     hearAll(live, [&](const std::string& topic, auto handler) {
       using M = decltype(messageOf(&decltype(handler)::operator()));
-      subscribers.push_back(
-          node.subscribe<M>(topic, 0, [handler](const boost::shared_ptr<const M>& message) { handler(*message); }));
+      const boost::function<void(const M&)> hear = handler;
+      subscribers.push_back(node.subscribe<M>(topic, 0, hear));
     });
     const ros::WallTime end = ros::WallTime::now() + ros::WallDuration(40.0);
     while (live.order.size() < offline.order.size() && ros::WallTime::now() < end) {
