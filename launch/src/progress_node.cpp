@@ -1,0 +1,51 @@
+#include "progress_node.h"
+
+#include <tws_runtime/parameters.h>
+
+#include <cmath>
+#include <limits>
+#include <ostream>
+
+#include "in_words.h"
+
+namespace tws_launch {
+
+ProgressNode::ProgressNode(tws_runtime::Bus& bus, std::ostream& out) : out_(out) {
+  tws_runtime::ParameterReader reader(bus.parameters(), bus.name());
+  std::vector<std::string> radars;
+  std::vector<std::string> trackers;
+  reader.texts("radars", radars);
+  reader.texts("trackers", trackers);
+  reader.number("length", length_, 0.0, std::numeric_limits<double>::max());
+  reader.done();
+  for (const std::string& radar : radars) listen<tws_msgs::Detections>(bus, "/" + radar + "/detections");
+  for (const std::string& tracker : trackers) {
+    listen<tws_msgs::Tracks>(bus, "/" + tracker + "/tracks");
+    listen<tws_msgs::ClutterMap>(bus, "/" + tracker + "/clutter_map");
+  }
+  constexpr double kPeriod = 5.0;
+  bus.everyWall(kPeriod, [this] { say(0.0); });
+}
+
+void ProgressNode::say(double period) {
+  const Clock::time_point now = Clock::now();
+  if (summary_.plots() == 0) start_ = now;
+  if (summary_.plots() == 0 || now - last_said_ < std::chrono::duration<double>(period)) return;
+  last_said_ = now;
+  out_ << progressLine(summary_, length_, std::chrono::duration<double>(now - start_).count()) << std::endl;
+}
+
+std::string progressLine(const RunSummary& summary, double length, double wall_time) {
+  const double done = summary.simulatedTime();
+  std::string line = oneDecimal(done);
+  if (length > 0.0) line += " of " + oneDecimal(length);
+  line += " s simulated";
+  if (length > 0.0) line += " (" + std::to_string(std::lround(100.0 * done / length)) + " %)";
+  line += ", " + std::to_string(summary.livingTracks()) + " tracks, " +
+          std::to_string(std::lround(summary.plots() / wall_time)) + " plots/s";
+  if (length > done && done > 0.0)
+    line += ", " + std::to_string(std::lround(wall_time * (length - done) / done)) + " s left";
+  return line;
+}
+
+}  // namespace tws_launch

@@ -1,0 +1,136 @@
+#include "run_summary.h"
+
+#include <rosbag/bag.h>
+#include <rosbag/view.h>
+
+#include <algorithm>
+#include <iomanip>
+#include <iterator>
+#include <ostream>
+#include <sstream>
+#include <stdexcept>
+
+#include "in_words.h"
+
+namespace tws_launch {
+namespace {
+
+using tws_msgs::Track;
+
+constexpr int kColumn = 12;
+
+/// The first word at the left, the others to the right of their columns.
+template <class... Words>
+void printRow(std::ostream& out, const std::string& first, const Words&... others) {
+  out << std::left << std::setw(kColumn) << first << std::right;
+  ((out << std::setw(kColumn) << others), ...);
+  out << '\n';
+}
+
+/// Adds the message to the summary when it is an M; says whether it was.
+template <class M>
+bool addAs(RunSummary& summary, const rosbag::MessageInstance& instance) {
+  const auto message = instance.instantiate<M>();
+  if (message) summary.add(*message);
+  return message != nullptr;
+}
+
+}  // namespace
+
+RunSummary RunSummary::ofBag(const std::string& path) {
+  RunSummary summary;
+  try {
+    const rosbag::Bag bag(path);
+    for (const rosbag::MessageInstance& instance : rosbag::View(bag))
+      addAs<tws_msgs::Detections>(summary, instance) || addAs<tws_msgs::Tracks>(summary, instance) ||
+          addAs<tws_msgs::ClutterMap>(summary, instance) || addAs<diagnostic_msgs::DiagnosticArray>(summary, instance);
+  } catch (const rosbag::BagException& error) {
+    throw std::runtime_error(path + ": " + error.what());
+  }
+  return summary;
+}
+
+void RunSummary::add(const tws_msgs::Detections& message) {
+  if (first_.isZero()) first_ = message.header.stamp;
+  last_ = std::max(last_, message.header.stamp);
+  Radar& radar = radars_[message.radar];
+  ++radar.sectors;
+  radar.plots += message.detections.size();
+}
+
+void RunSummary::add(const tws_msgs::Tracks& message) {
+  Tracker& tracker = trackers_[message.tracker];
+  for (const Track& track : message.tracks) {
+    tracker.last_state[track.uid] = track.state;
+    if (track.state == Track::FIRM) tracker.became_firm.insert(track.uid);
+  }
+}
+
+void RunSummary::add(const tws_msgs::ClutterMap& message) {
+  trackers_[message.tracker].clutter_points = message.points.size();
+}
+
+void RunSummary::add(const diagnostic_msgs::DiagnosticArray& message) {
+  for (const auto& status : message.status) {
+    for (const auto& value : status.values) {
+      std::uint64_t count = 0;
+      if (std::istringstream(value.value) >> count) counters_[status.hardware_id][value.key] = count;
+    }
+  }
+}
+
+double RunSummary::simulatedTime() const { return (last_ - first_).toSec(); }
+
+std::uint64_t RunSummary::plots() const {
+  std::uint64_t plots = 0;
+  for (const auto& [name, radar] : radars_) plots += radar.plots;
+  return plots;
+}
+
+std::size_t RunSummary::livingTracks() const {
+  std::size_t living = 0;
+  for (const auto& [name, tracker] : trackers_) living += tracker.last_state.size() - tracker.count(Track::DROPPED);
+  return living;
+}
+
+std::size_t RunSummary::Tracker::count(std::uint8_t state) const {
+  return std::count_if(last_state.begin(), last_state.end(), [&](const auto& entry) { return entry.second == state; });
+}
+
+void RunSummary::print(std::ostream& out, const std::vector<tws_runtime::CounterReading>& counters,
+                       std::optional<double> wall_time) const {
+  out << "simulated time " << oneDecimal(simulatedTime()) << " s";
+  if (wall_time) out << ", wall time " << oneDecimal(*wall_time) << " s";
+  out << '\n';
+  printRadars(out);
+  printTrackers(out);
+  std::vector<tws_runtime::CounterReading> counted;
+  std::copy_if(counters.begin(), counters.end(), std::back_inserter(counted),
+               [](const auto& c) { return c.value > 0; });
+  if (!counted.empty()) tws_runtime::printCounters(out, counted);
+}
+
+void RunSummary::printRadars(std::ostream& out) const {
+  printRow(out, "radar", "sectors", "plots", "plots/s");
+  for (const auto& [name, radar] : radars_) {
+    const double time = simulatedTime();
+    printRow(out, name, radar.sectors, radar.plots, time > 0.0 ? oneDecimal(radar.plots / time) : "-");
+  }
+}
+
+void RunSummary::printTrackers(std::ostream& out) const {
+  printRow(out, "tracker", "started", "firmed", "dropped", "at the end:", "firm", "coasting", "tentative", "clutter");
+  for (const auto& [name, tracker] : trackers_)
+    printRow(out, name, tracker.last_state.size(), tracker.became_firm.size(), tracker.count(Track::DROPPED), "",
+             tracker.count(Track::FIRM), tracker.count(Track::COASTING), tracker.count(Track::TENTATIVE),
+             tracker.clutter_points);
+}
+
+std::vector<tws_runtime::CounterReading> RunSummary::counters() const {
+  std::vector<tws_runtime::CounterReading> readings;
+  for (const auto& [node, counters] : counters_)
+    for (const auto& [name, value] : counters) readings.push_back({node, name, value, false});
+  return readings;
+}
+
+}  // namespace tws_launch

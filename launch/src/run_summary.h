@@ -1,0 +1,65 @@
+#pragma once
+
+#include <diagnostic_msgs/DiagnosticArray.h>
+#include <ros/time.h>
+#include <tws_msgs/ClutterMap.h>
+#include <tws_msgs/Detections.h>
+#include <tws_msgs/Tracks.h>
+#include <tws_runtime/counters.h>
+
+#include <cstdint>
+#include <iosfwd>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace tws_launch {
+
+/// What happened in a run, counted from its messages in the order of their recording.
+class RunSummary {
+ public:
+  /// Counts all that a bag holds. Throws std::runtime_error that names the file when it cannot be read.
+  static RunSummary ofBag(const std::string& path);
+
+  void add(const tws_msgs::Detections& message);
+  void add(const tws_msgs::Tracks& message);
+  void add(const tws_msgs::ClutterMap& message);
+  /// The counters of the nodes, as their diagnostics say them; the last word of each counts.
+  void add(const diagnostic_msgs::DiagnosticArray& message);
+
+  /// Data time from the first sensor message to the last [s]; 0 without any.
+  double simulatedTime() const;
+  std::uint64_t plots() const;
+  /// Tracks that have not been dropped.
+  std::size_t livingTracks() const;
+  /// The counters as the diagnostics said them.
+  std::vector<tws_runtime::CounterReading> counters() const;
+  /// A table for people, with those of the `counters` that are not zero. `wall_time` [s], when known.
+  void print(std::ostream& out, const std::vector<tws_runtime::CounterReading>& counters,
+             std::optional<double> wall_time) const;
+
+ private:
+  struct Radar {
+    std::uint64_t sectors = 0;
+    std::uint64_t plots = 0;
+  };
+  struct Tracker {
+    std::map<std::uint32_t, std::uint8_t> last_state;  ///< Of each track that ever was, by its uid.
+    std::set<std::uint32_t> became_firm;
+    std::size_t clutter_points = 0;
+    std::size_t count(std::uint8_t state) const;
+  };
+
+  void printRadars(std::ostream& out) const;
+  void printTrackers(std::ostream& out) const;
+
+  ros::Time first_;
+  ros::Time last_;
+  std::map<std::string, Radar> radars_;
+  std::map<std::string, Tracker> trackers_;
+  std::map<std::string, std::map<std::string, std::uint64_t>> counters_;
+};
+
+}  // namespace tws_launch

@@ -1,0 +1,83 @@
+#include <tws_runtime/bag_source.h>
+#include <tws_runtime/run.h>
+
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <csignal>
+#include <filesystem>
+#include <iostream>
+
+#include "offline_graph.h"
+#include "run_input.h"
+
+namespace {
+
+volatile std::sig_atomic_t interrupted = 0;
+
+struct Options {
+  std::string input;
+  std::string out = ".";
+  std::string params = "default";
+  std::optional<long> seed;
+  std::optional<double> duration;
+};
+
+/// The graph that roslaunch would start for this input.
+std::vector<tws_launch::NodeDescription> describe(const Options& options, const tws_launch::RunInput& input) {
+  std::string radars;
+  for (const std::string& radar : input.radars) radars += (radars.empty() ? "" : " ") + radar;
+  std::vector<std::string> arguments{"radars:=" + radars, "params:=" + options.params, "rviz:=false",
+                                     "length:=" + std::to_string(options.duration.value_or(input.length)),
+                                     (input.is_bag ? "bag:=" : "scenario:=") + input.path};
+  if (options.seed && !input.is_bag) arguments.push_back("seed:=" + std::to_string(*options.seed));
+  return tws_launch::describeGraph(input.is_bag ? "replay.launch" : "run.launch", arguments);
+}
+
+void run(const Options& options) {
+  const auto start = std::chrono::steady_clock::now();
+  const auto input = tws_launch::inspectInput(std::filesystem::absolute(options.input).string());
+  tws_launch::OfflineGraph offline(describe(options, input), std::cerr);
+  std::filesystem::create_directories(options.out);
+  offline.graph().record(options.out + "/run.bag");
+  std::vector<tws_runtime::Source*> sources = offline.sources();
+  std::unique_ptr<tws_runtime::BagSource> bag;
+  if (input.is_bag)
+    sources.push_back((bag = std::make_unique<tws_runtime::BagSource>(offline.graph(), input.path)).get());
+  const ros::Duration duration = options.duration ? ros::Duration(*options.duration) : ros::DURATION_MAX;
+  tws_runtime::runOffline(offline.graph(), sources, duration, [&] {
+    offline.progress().say(1.0);
+    return interrupted == 0;
+  });
+  offline.graph().finishRecording();
+  offline.progress().summary().print(std::cout, offline.graph().counters(),
+                                     std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Options options;
+  CLI::App app("Runs the whole graph in one process, without a ROS master, as fast as it goes.");
+  app.add_option("input", options.input, "scenario (YAML) or recorded run (*.bag)")
+      ->required()
+      ->check(CLI::ExistingFile);
+  app.add_option("--out", options.out, "folder for run.bag");
+  app.add_option("--params", options.params, "parameter set of the ADIT tracker: default or nrl7952");
+  app.add_option("--seed", options.seed, "of the random numbers, in place of the scenario's")
+      ->check(CLI::NonNegativeNumber);
+  app.add_option("--duration", options.duration, "stop after so much data time [s]")->check(CLI::PositiveNumber);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : 2;
+  }
+  std::signal(SIGINT, [](int) { interrupted = 1; });
+  std::signal(SIGTERM, [](int) { interrupted = 1; });
+  try {
+    run(options);
+    return interrupted ? 130 : 0;
+  } catch (const std::exception& error) {
+    std::cerr << "tws_offline: " << error.what() << std::endl;
+    return 1;
+  }
+}
