@@ -31,6 +31,7 @@ double covered(const Box& box, const std::vector<Box>& others) {
 
 std::vector<Box> symbolBoxes(const std::vector<LabelRequest>& requests) {
   std::vector<Box> boxes;
+  boxes.reserve(2 * requests.size());  // the labels' boxes follow
   for (const LabelRequest& request : requests)
     boxes.push_back({request.symbol, Eigen::Vector2d::Constant(2.0 * kSymbolShare * request.gap)});
   return boxes;

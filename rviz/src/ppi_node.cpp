@@ -21,6 +21,9 @@ constexpr double kNewRun = 1.0;
 // Stamps further ahead of data time than this are refused [s].
 constexpr double kFuture = 10.0;
 
+// RViz forgets all markers when it is reset, by hand or by a time that goes back; so the background is sent again [s].
+constexpr double kBackgroundPeriod = 2.0;
+
 // A layer of the picture and the topic on which it goes out.
 class Screen {
  public:
@@ -48,7 +51,8 @@ class PpiNode::Impl {
       bus.subscribe<tws_msgs::ClutterMap>(params_.clutter_topic, [this](const auto& map) { hearClutter(map); });
     if (params_.truth)
       bus.subscribe<tws_msgs::Truth>(params_.truth_topic, [this](const auto& truth) { hearTruth(truth); });
-    background_screen_.show(picture_.background(), ros::Time());
+    drawBackground();
+    bus.everyWall(kBackgroundPeriod, [this] { drawBackground(); });
     bus.everyWall(1.0 / params_.redraw_rate, [this] { drawFast(); });
     bus.everyWall(1.0 / params_.track_rate, [this] { drawSlow(); });
   }
@@ -155,6 +159,8 @@ class PpiNode::Impl {
     }
     latest_ = now;
   }
+
+  void drawBackground() { background_screen_.show(picture_.background(), ros::Time()); }
 
   void drawFast() {
     watchTime(bus_.now());

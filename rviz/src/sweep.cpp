@@ -48,7 +48,9 @@ void addSweep(Drawing& drawing, const Eigen::Vector2d& origin, double azimuth, c
     const double left = 1.0 - behind / look.afterglow;
     return faded(look.color, kGlowOpacity * left * left);
   };
-  for (double behind = 0.0; behind < look.afterglow; behind += kGlowStep) {
+  const int steps = static_cast<int>(std::ceil(look.afterglow / kGlowStep));
+  for (int i = 0; i < steps; ++i) {
+    const double behind = i * kGlowStep;
     const double next = std::min(behind + kGlowStep, look.afterglow);
     addTriangle(drawing, {origin, glow(behind)}, {rim(azimuth - behind), glow(behind)},
                 {rim(azimuth - next), glow(next)});

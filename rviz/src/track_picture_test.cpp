@@ -148,7 +148,7 @@ TEST(TrackPicture, TheTrailHasAtMostADozenDots) {
   tracks.hear(report(7, TrackState::kFirm, 0.0));
   const std::size_t bare = drawn(tracks, 0.0).triangles.size();
   for (int i = 1; i < 10000; ++i) tracks.hear(report(7, TrackState::kFirm, 0.1 * i));
-  EXPECT_LE(drawn(tracks, 999.9).triangles.size(), bare + 13 * 6);
+  EXPECT_LE(drawn(tracks, 999.9).triangles.size(), bare + std::size_t{13} * 6);
 }
 
 }  // namespace

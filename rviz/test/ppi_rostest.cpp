@@ -116,6 +116,13 @@ TEST_F(PpiRostest, BackgroundIsThere) {
   EXPECT_TRUE(waitFor([this] { return find("background/background") != nullptr; }));
 }
 
+// RViz forgets everything when time goes back, at the start of a new run; the rings must come again.
+TEST_F(PpiRostest, BackgroundComesAgainForAnRvizThatForgotIt) {
+  ASSERT_TRUE(waitFor([this] { return find("background/background") != nullptr; }));
+  shown_.clear();
+  EXPECT_TRUE(waitFor([this] { return find("background/background") != nullptr; }));
+}
+
 // Sector 8 begins at 45 degrees; half a second later a radar of 6 s a turn has gone on by 30.
 TEST_F(PpiRostest, TheDrawnBeamIsWhereTheRadarPointsAtThatDataTime) {
   ASSERT_TRUE(waitFor([this] { return find("tracks/tracks") == nullptr; }));
