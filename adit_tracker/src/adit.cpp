@@ -136,10 +136,13 @@ void Adit::mapClutter(const Executive::Turn& turn) {
 void Adit::listSector(const Executive::Turn& turn, std::int64_t running, Slots& slots) {
   const std::size_t begin = slots.size();
   tracks_.list(sectorNumber(running), slots);
-  const double half_a_turn_ago = Antenna::startOf(running) - tws::kPi;
-  const auto met = [&](TrackFile::Slot s) { return tracks_.at(s).updated_at[turn.radar] > half_a_turn_ago; };
+  const auto met = [&](TrackFile::Slot s) { return updatedOnThisScan(tracks_.at(s), turn.radar); };
   slots.erase(std::remove_if(slots.begin() + static_cast<std::ptrdiff_t>(begin), slots.end(), met), slots.end());
   for (std::size_t i = begin; i < slots.size(); ++i) aimAt(tracks_.at(slots[i]), turn.radar, running);
+}
+
+bool Adit::updatedOnThisScan(const Track& track, std::size_t radar) const {
+  return report_.enter_time - track.updated[radar] < 0.5 * radars_[radar].antenna.period();
 }
 
 /// Sees to it that the prediction is for this radar's beam in that sector. It mostly is already; not so when another
@@ -154,13 +157,13 @@ void Adit::correlate(const Executive::Turn& turn) {
   primary_.clear();
   secondary_.clear();
   listSector(turn, turn.running, primary_);
+  if (primary_.empty()) return;
   for (int ahead = 1; ahead <= kSecondarySectors; ++ahead) listSector(turn, turn.running + ahead, secondary_);
   for (const Correlation& c : correlator_.correlate(tracks_, primary_, secondary_, radarOf(turn), turn.running)) {
     update(turn, c.slot, *c.detection);
   }
-  const double half_a_turn_ago = Antenna::startOf(turn.running) - tws::kPi;
   for (const auto slot : primary_) {
-    if (tracks_.at(slot).updated_at[turn.radar] < half_a_turn_ago) miss(turn, slot);
+    if (!updatedOnThisScan(tracks_.at(slot), turn.radar)) miss(turn, slot);
   }
 }
 
@@ -183,7 +186,7 @@ void Adit::update(const Executive::Turn& turn, TrackFile::Slot slot, Detection& 
   const double log_likelihood = motion_.update(track, plot, quality);
   track.coasting = false;
   track.updated[turn.radar] = plot.time;
-  track.updated_at[turn.radar] = track.illuminated[turn.radar] = unwrappedNear(plot.azimuth, turn.running);
+  track.illuminated[turn.radar] = unwrappedNear(plot.azimuth, turn.running);
   track.detected_by = static_cast<std::uint16_t>(track.detected_by | 1U << turn.radar);
   if (judge_.updated(track, log_likelihood, quality)) ++counts_.tracks_firm;
   if (track.firm && params_.clutter.yields_to_tracks && detection.claim != Detection::kNoClaim) {
@@ -272,7 +275,7 @@ bool Adit::startTrack(std::size_t radar, const tws::Plot& plot) {
   judge_.started(track, quality);
   track.updated[radar] = plot.time;
   // Met in a sector that is behind the front or at most a few ahead of it.
-  track.updated_at[radar] = track.illuminated[radar] = unwrappedNear(plot.azimuth, executive_.front(radar));
+  track.illuminated[radar] = unwrappedNear(plot.azimuth, executive_.front(radar));
   track.detected_by = static_cast<std::uint16_t>(1U << radar);
   predictNext(track);
   tracks_.place(*slot, tws::sectorOf(track.predicted.azimuth));
@@ -307,8 +310,8 @@ double Adit::nextIllumination(const Track& track, std::size_t radar) const {
   const double earliest = std::max(Antenna::startOf(executive_.front(radar)), track.illuminated[radar] + tws::kPi);
   const auto atLeast = [&](double azimuth) { return earliest + tws::wrapTwoPi(azimuth - earliest); };
   const double guess = atLeast(track.smoothed.azimuth);
-  const double there = motion_.azimuthAt(track, antenna.timeAt(guess));
-  double crossing = guess + tws::angularDifference(there, guess);
+  const double moved = track.smoothed.azimuth_rate * (antenna.timeAt(guess) - track.smoothed.time);
+  double crossing = guess + moved;
   if (crossing < earliest) crossing += tws::kTwoPi;
   return antenna.timeAt(crossing);
 }

@@ -89,6 +89,7 @@ class Adit {
   void moveOn(TrackFile::Slot slot, std::size_t radar);
   void drop(TrackFile::Slot slot, double time);
 
+  bool updatedOnThisScan(const Track& track, std::size_t radar) const;
   void listSector(const Executive::Turn& turn, std::int64_t running, Slots& slots);
   void aimAt(Track& track, std::size_t radar, std::int64_t running);
   void predictNext(Track& track);

@@ -70,7 +70,7 @@ struct ExistenceParams {
   double firm_probability = 0.99;         // A tentative track becomes firm above it …
   long firm_updates = 3;                  // … with at least so many detections,
   double moving_evidence = 2.0;           // and that much log-likelihood in favour of movement over a fixed place.
-  double drop_probability = 0.01;         // A firm track is dropped below it,
+  double drop_probability = 0.001;        // A firm track is dropped below it,
   double doubt_probability = 0.5;         // Below it, a firm track shows as tentative until it is detected again.
   double tentative_drop_fraction = 0.03;  // a tentative one below this share of its first chance.
   double detection_probability = 0.85;    // Assumed of a new track; each track then learns its own.

@@ -99,6 +99,8 @@ void readFilters(ParameterReader& reader, AditParams& p) {
   turning.number("turning_acceleration", p.turning.turning_acceleration, 0.0, 1e6);
   turning.number("straight_time_s", p.turning.straight_time, 0.1, 1e6);
   turning.number("turning_time_s", p.turning.turning_time, 0.1, 1e6);
+  turning.number("assumed_height_m", p.turning.assumed_height, 0.0, 50000.0);
+  turning.number("manoeuvre_acceleration", p.turning.manoeuvre_acceleration, 0.0, 1000.0);
   turning.number("speed_sigma_mps", p.turning.speed_sigma, 0.1, 1e5);
   turning.done();
 }

@@ -6,6 +6,10 @@
 #include <tws_core/angles.h>
 
 namespace adit_tracker {
+namespace {
+// Squared limit, in standard deviations of a hard manoeuvre: three of them.
+constexpr double kManoeuvreGate = 9.0;
+}  // namespace
 
 std::size_t Correlator::smallestGate(const Track& track, double range_difference, double azimuth_difference,
                                      double& distance) const {
@@ -20,10 +24,16 @@ std::size_t Correlator::smallestGate(const Track& track, double range_difference
   }
   // The distance is twice the negative log-likelihood, up to a constant: of two tracks, the one that knows better where
   // its target is wins.
-  const double cross_range = track.predicted.range * azimuth_difference;
-  const double squared = track.predicted.innovation.mahalanobis(range_difference, cross_range);
-  if (squared > params_.gate_sigmas * params_.gate_sigmas) return kGates;
-  distance = squared + track.predicted.log_volume;
+  const Prediction& p = track.predicted;
+  const double cross_range = p.range * azimuth_difference;
+  const double greatest = params_.gate_sigmas * params_.gate_sigmas;
+  const double squared = p.innovation.mahalanobis(range_difference, cross_range);
+  distance = squared + p.log_volume;
+  if (squared > greatest) {
+    // What only a hard manoeuvre explains comes last of all.
+    const Symmetric2 wide{p.innovation.xx + p.manoeuvre, p.innovation.xy, p.innovation.yy + p.manoeuvre};
+    return wide.mahalanobis(range_difference, cross_range) <= kManoeuvreGate ? kGates - 1 : kGates;
+  }
   std::size_t g = 0;
   while (g + 1 < kGates && distance > params_.gate_distances[g]) ++g;
   return g;
@@ -33,7 +43,8 @@ void Correlator::gather(const Track& track, TrackFile::Slot slot, bool primary, 
                         std::int64_t sector) {
   const Prediction& p = track.predicted;
   double range_gate = params_.track_gates.back().range;
-  if (params_.gates == GateKind::kStatistical) range_gate = params_.gate_sigmas * std::sqrt(p.innovation.xx);
+  if (params_.gates == GateKind::kStatistical)
+    range_gate = params_.gate_sigmas * std::sqrt(p.innovation.xx + p.manoeuvre);
   Entry entry{slot, primary, false, candidates_.size(), 0};
   for (std::int64_t s = sector - 1; s <= sector + 1; ++s) {
     const auto [first, last] = radar.detections.at(s).inRange(p.range - range_gate, p.range + range_gate);
@@ -46,7 +57,7 @@ void Correlator::gather(const Track& track, TrackFile::Slot slot, bool primary, 
     }
   }
   entry.last = candidates_.size();
-  entries_.push_back(entry);
+  if (entry.last > entry.first) entries_.push_back(entry);
 }
 
 Detection* Correlator::closest(const Entry& entry, std::size_t gate) const {
@@ -83,11 +94,11 @@ const std::vector<Correlation>& Correlator::correlate(const TrackFile& tracks,
   candidates_.clear();
   correlations_.clear();
   for (const auto slot : primary) gather(tracks.at(slot), slot, true, radar, running);
+  if (candidates_.empty()) return correlations_;
   const int here = static_cast<int>(running % tws::kSectors);
   for (const auto slot : secondary) {
     gather(tracks.at(slot), slot, false, radar, running + tws::sectorDifference(tracks.sector(slot), here));
   }
-  if (candidates_.empty()) return correlations_;
   for (std::size_t gate = 0; gate < kGates; ++gate) pass(gate);
   return correlations_;
 }

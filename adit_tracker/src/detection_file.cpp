@@ -4,15 +4,6 @@
 
 namespace adit_tracker {
 
-std::pair<Detection*, Detection*> DetectionSector::inRange(double from, double to) {
-  Detection* const begin = detections.data();
-  Detection* const end = begin + detections.size();
-  Detection* const first = std::partition_point(begin, end, [from](const Detection& d) { return d.plot.range < from; });
-  Detection* last = first;
-  while (last != end && last->plot.range <= to) ++last;
-  return {first, last};
-}
-
 DetectionFile::DetectionFile() : sectors_(kKept) {}
 
 DetectionSector& DetectionFile::add(const tws::RadarSector& sector) {
@@ -25,6 +16,8 @@ DetectionSector& DetectionFile::add(const tws::RadarSector& sector) {
   // Stable: plots of equal range keep their order of time, so that the result is the same in every run.
   std::stable_sort(slot.detections.begin(), slot.detections.end(),
                    [](const Detection& a, const Detection& b) { return a.plot.range < b.plot.range; });
+  slot.ranges.clear();
+  for (const Detection& detection : slot.detections) slot.ranges.push_back(detection.plot.range);
   return slot;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -22,9 +23,17 @@ struct DetectionSector {
   std::int64_t running = -1;
   double enter_time = 0.0, leave_time = 0.0;
   std::vector<Detection> detections;  // in order of range
+  std::vector<double> ranges;         // the same ranges, side by side for the search
 
   /// The detections with from ≤ range ≤ to. Cost: logarithm of the number in the sector.
-  std::pair<Detection*, Detection*> inRange(double from, double to);
+  std::pair<Detection*, Detection*> inRange(double from, double to) {
+    const double* const begin = ranges.data();
+    const double* const end = begin + ranges.size();
+    const double* const first = std::lower_bound(begin, end, from);
+    const double* last = first;
+    while (last != end && *last <= to) ++last;
+    return {detections.data() + (first - begin), detections.data() + (last - begin)};
+  }
 };
 
 /// The latest sectors of one radar (the report's input data bank: RM, AM, TM, addressed by NP and NB).

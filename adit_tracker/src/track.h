@@ -35,6 +35,7 @@ struct Prediction {
   std::size_t radar = 0;              // whose beam
   // Of the innovation in range and cross-range [m²], the radar's own errors included. Statistical gates only.
   Symmetric2 innovation;
+  double manoeuvre = 0.0;   // variance that a hard manoeuvre adds to each axis of it [m²]
   double log_volume = 0.0;  // ln(determinant of `innovation` / that of the radar's errors), ≥ 0
 };
 
@@ -61,8 +62,7 @@ struct Track {
   float first_existence = 1.0F;                // the same at its first detection
   float detection_probability = 1.0F;          // as this track has shown so far
   std::array<double, kMaxRadars> updated;      // by each radar, TT12 and TT39; kNever
-  std::array<double, kMaxRadars> updated_at;   // unwrapped azimuth of the same
-  std::array<double, kMaxRadars> illuminated;  // unwrapped azimuth at which each beam met it last; kNever
+  std::array<double, kMaxRadars> illuminated;  // unwrapped azimuth at which each beam met it last, detected or not
   FixedPlace fixed;
   double reference_time = kNever;                         // when the next two were stored
   double reference_range = 0.0, reference_azimuth = 0.0;  // NR: eight scans ago

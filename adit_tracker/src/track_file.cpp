@@ -19,7 +19,6 @@ std::optional<TrackFile::Slot> TrackFile::start() {
   track.number = *number;
   track.uid = next_uid_++;
   track.updated.fill(kNever);
-  track.updated_at.fill(kNever);
   track.illuminated.fill(kNever);
   ++size_;
   return slot;

@@ -15,7 +15,7 @@ Kinematics fromPlanar(const PlanarState& s, double time) {
   k.y = s.y;
   k.vx = s.vx;
   k.vy = s.vy;
-  k.range = std::max(std::hypot(s.x, s.y), 1.0);  // at the site itself rates have no meaning
+  k.range = std::max(std::sqrt(s.x * s.x + s.y * s.y), 1.0);  // at the site itself rates have no meaning
   k.azimuth = tws::wrapTwoPi(std::atan2(s.x, s.y));
   k.range_rate = (s.x * s.vx + s.y * s.vy) / k.range;
   k.azimuth_rate = (s.y * s.vx - s.x * s.vy) / (k.range * k.range);
@@ -37,9 +37,9 @@ Kinematics fromPolar(double range, double azimuth, double range_rate, double azi
   return k;
 }
 
-/// The covariance of a position in range and cross-range, as seen along an azimuth.
-Symmetric2 alongAzimuth(const Symmetric2& p, double azimuth) {
-  const double s = std::sin(azimuth), c = std::cos(azimuth);
+/// The covariance of a position in range and cross-range, as seen from the origin.
+Symmetric2 inPolar(const Symmetric2& p, const Kinematics& at) {
+  const double s = at.x / at.range, c = at.y / at.range;
   return {p.xx * s * s + 2.0 * p.xy * s * c + p.yy * c * c, (p.xx - p.yy) * s * c + p.xy * (c * c - s * s),
           p.xx * c * c - 2.0 * p.xy * s * c + p.yy * s * s};
 }
@@ -127,13 +127,6 @@ Extrapolation TrackMotion::at(const Track& track, double time) const {
   return {fromPlanar(planar, time), true, planar};
 }
 
-double TrackMotion::azimuthAt(const Track& track, double time) const {
-  const Kinematics& k = track.smoothed;
-  const double dt = time - k.time;
-  if (params_.filter == FilterKind::kAlphaBeta) return tws::wrapTwoPi(k.azimuth + k.azimuth_rate * dt);
-  return tws::wrapTwoPi(std::atan2(k.x + k.vx * dt, k.y + k.vy * dt));
-}
-
 void TrackMotion::predict(Track& track, std::size_t radar, double time, const RadarQuality& quality) const {
   const Extrapolation there = at(track, time);
   Prediction& p = track.predicted;
@@ -144,9 +137,14 @@ void TrackMotion::predict(Track& track, std::size_t radar, double time, const Ra
   if (!there.has_covariance) return;
   const double along = quality.rangeSigma() * quality.rangeSigma();
   const double cross = p.range * p.range * quality.azimuthSigma() * quality.azimuthSigma();
-  p.innovation = alongAzimuth(there.planar.position, p.azimuth);
+  p.innovation = inPolar(there.planar.position, there.kinematics);
   p.innovation.xx += along;
   p.innovation.yy += cross;
+  // Hardly any manoeuvre stays hard for longer; without the limit a coasting track would take any other target's plots.
+  constexpr double kLongestManoeuvre = 8.0;  // [s]
+  const double manoeuvre =
+      TurningFilter::manoeuvreSigma(std::min(time - track.smoothed.time, kLongestManoeuvre), params_.turning);
+  p.manoeuvre = manoeuvre * manoeuvre;
   p.log_volume = std::log(p.innovation.determinant() / (along * cross));
 }
 

@@ -27,9 +27,6 @@ class TrackMotion {
   /// Where the track is at `time`, which may be before the latest update by a little.
   Extrapolation at(const Track& track, double time) const;
 
-  /// The azimuth at `time` by the smoothed velocity; quick.
-  double azimuthAt(const Track& track, double time) const;
-
   /// Sets track.predicted for an illumination by a radar.
   void predict(Track& track, std::size_t radar, double time, const RadarQuality& quality) const;
 

@@ -117,12 +117,44 @@ PlanarState merged(const States& states, const Weights& weights) {
   return result;
 }
 
+/// Density of the acceleration that straight flight at the assumed height h seems to have in slant range on the plane:
+/// h²v²/r³, lasting dt [m²/s³].
+double slantAcceleration(const PlanarState& s, double dt, const TurningFilterParams& params) {
+  const double r2 = std::max(s.x * s.x + s.y * s.y, params.assumed_height * params.assumed_height);
+  if (r2 == 0.0) return 0.0;
+  const double h2 = params.assumed_height * params.assumed_height, v2 = s.vx * s.vx + s.vy * s.vy;
+  return h2 * h2 * v2 * v2 / (r2 * r2 * r2) * dt;
+}
+
 void move(States& states, double dt, const TurningFilterParams& params) {
   const auto motion = motions(dt, params.turn_rate);
+  const double slant = slantAcceleration(states[0], dt, params);
   for (std::size_t i = 0; i < states.size(); ++i) {
     moveMean(states[i], motion[i]);
-    moveCovariance(states[i], motion[i], dt, i == 0 ? params.straight_acceleration : params.turning_acceleration);
+    moveCovariance(states[i], motion[i], dt,
+                   slant + (i == 0 ? params.straight_acceleration : params.turning_acceleration));
   }
+}
+
+/// Squared distance of a measurement from a prediction, in standard deviations.
+double surprise(const PlanarState& s, const PlanarMeasurement& z) {
+  const Symmetric2 S{s.position.xx + z.covariance.xx, s.position.xy + z.covariance.xy, s.position.yy + z.covariance.yy};
+  return S.mahalanobis(z.x - s.x, z.y - s.y);
+}
+
+/// A measurement further away than this from all models is a hard manoeuvre, and so rare.
+constexpr double kSurprise = 16.0;
+constexpr double kLogManoeuvre = -4.6;  // ln 0.01
+
+/// Covariance of an unknown constant acceleration over dt.
+void addManoeuvre(PlanarState& s, double dt, double acceleration) {
+  const double a2 = acceleration * acceleration, t2 = dt * dt;
+  s.position.xx += 0.25 * a2 * t2 * t2;
+  s.position.yy += 0.25 * a2 * t2 * t2;
+  s.x_vx += 0.5 * a2 * t2 * dt;
+  s.y_vy += 0.5 * a2 * t2 * dt;
+  s.velocity.xx += a2 * t2;
+  s.velocity.yy += a2 * t2;
 }
 
 }  // namespace
@@ -167,6 +199,11 @@ void TurningFilter::mix(double dt, const TurningFilterParams& params) {
 double TurningFilter::update(const PlanarMeasurement& z, double dt, const TurningFilterParams& params) {
   mix(dt, params);
   move(state_, dt, params);
+  const bool manoeuvre =
+      std::all_of(state_.begin(), state_.end(), [&](const PlanarState& s) { return surprise(s, z) > kSurprise; });
+  if (manoeuvre) {
+    for (PlanarState& s : state_) addManoeuvre(s, dt, params.manoeuvre_acceleration);
+  }
   Weights likelihood;
   for (std::size_t i = 0; i < kModels; ++i) likelihood[i] = correct(state_[i], z);
   const double greatest = *std::max_element(likelihood.begin(), likelihood.end());
@@ -174,7 +211,7 @@ double TurningFilter::update(const PlanarMeasurement& z, double dt, const Turnin
   for (std::size_t i = 0; i < kModels; ++i) sum += probability_[i] *= std::exp(likelihood[i] - greatest);
   // A floor keeps a model from dying for good by underflow.
   for (double& p : probability_) p = std::max(p / sum, 1e-12);
-  return greatest + std::log(sum);
+  return greatest + std::log(sum) + (manoeuvre ? kLogManoeuvre : 0.0);
 }
 
 PlanarState TurningFilter::mean() const { return meanOf(state_, probability_); }

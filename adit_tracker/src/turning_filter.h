@@ -36,11 +36,17 @@ struct PlanarState {
 /// What the turning filter assumes. One set serves all tracks.
 struct TurningFilterParams {
   double turn_rate = 0.0384;           // Of the turning models, one each way [rad/s], (0, 0.5]: 2.2°/s.
-  double straight_acceleration = 0.3;  // White acceleration density of the straight model [m²/s³].
+  double straight_acceleration = 0.2;  // White acceleration density of the straight model [m²/s³].
   double turning_acceleration = 15.0;  // The same of the turning models.
   double straight_time = 100.0;        // Mean time between turns [s].
   double turning_time = 30.0;          // Mean time of a turn [s].
-  double speed_sigma = 200.0;          // Of each velocity component before it is known [m/s].
+  // A 2-D radar sees slant range: close to it, straight flight at a height looks accelerated on the plane. The height
+  // [m] that is assumed for that, 0: the plane is all there is.
+  double assumed_height = 10000.0;
+  // A measurement that no model explains is taken for a hard manoeuvre of this acceleration (standard deviation, each
+  // axis) [m/s²]; 0: never.
+  double manoeuvre_acceleration = 10.0;
+  double speed_sigma = 150.0;  // Of each velocity component before it is known [m/s].
 };
 
 /// Interacting multiple models (Blom & Bar-Shalom 1988) on the plane: straight flight, turn to the right, turn to the
@@ -59,6 +65,11 @@ class TurningFilter {
 
   /// The mixture moved on by dt [s], by one Gaussian of the same mean and covariance.
   PlanarState predict(double dt, const TurningFilterParams& params) const;
+
+  /// Standard deviation of the displacement that a hard manoeuvre adds in dt [s], in each axis [m].
+  static double manoeuvreSigma(double dt, const TurningFilterParams& params) {
+    return 0.5 * params.manoeuvre_acceleration * dt * dt;
+  }
 
   /// The mean of the mixture now; its covariances are left at 0.
   PlanarState mean() const;
