@@ -31,13 +31,13 @@ class Antenna {
   double timeAt(double unwrapped_azimuth) const;
 
  private:
+  static constexpr std::int64_t kMask = 127;
   struct Mark {
-    std::int64_t running = -1;
+    std::int64_t running = -kMask;  // none; never a turn before a real one
     double time = 0.0;
   };
   const Mark& at(std::int64_t running) const { return marks_[static_cast<std::size_t>(running & kMask)]; }
 
-  static constexpr std::int64_t kMask = 127;
   std::vector<Mark> marks_;  // the latest two turns
   std::int64_t newest_ = -1;
   double period_;

@@ -8,7 +8,8 @@
 
 namespace adit_tracker {
 namespace {
-// A point updated so recently has been met on this scan already and has changed its sector since.
+// A point updated so recently has been met on this scan already and has changed its sector since. The report's second
+// is longer than a scan of a fast radar: then half a scan counts.
 constexpr double kSameScan = 1.0;  // [s]
 }  // namespace
 
@@ -72,6 +73,7 @@ std::vector<ClutterPoint> ClutterMap::process(std::size_t radar_index, RadarStat
                                               double now, std::optional<double> judge_after) {
   std::vector<ClutterPoint> moving;
   const int sector = tws::wrapSector(static_cast<int>(running % tws::kSectors));
+  const double same_scan = std::min(kSameScan, 0.5 * radar.antenna.period());
   std::uint32_t next = 0;
   for (std::uint32_t n = sectors_.first(sector); n != tws::SectorFile::kNone; n = next) {
     next = sectors_.next(n);
@@ -80,7 +82,7 @@ std::vector<ClutterPoint> ClutterMap::process(std::size_t radar_index, RadarStat
       drop(n);
       continue;
     }
-    if (now - point.updated[radar_index] < kSameScan) continue;
+    if (now - point.updated[radar_index] < same_scan) continue;
     Detection* const detection = nearest(point, radar, running);
     if (detection != nullptr) take(point, *detection, radar_index);
     if (judge_after && absorbing(point) && moves(point, *judge_after)) {
