@@ -53,8 +53,8 @@ TEST(LabelPlacement, InACrowdLabelsOverlapMuchLessThanUnplaced) {
   SCOPED_TRACE(seed);
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> place(-2000.0, 2000.0);
-  std::vector<LabelRequest> requests;
-  for (int i = 0; i < 60; ++i) requests.push_back(request(place(random), place(random), 0));
+  std::vector<LabelRequest> requests(60);
+  for (LabelRequest& one : requests) one = request(place(random), place(random), 0);
   const double before = totalOverlap(requests, std::vector<int>(requests.size(), 0));
   ASSERT_GT(before, 0.0);
   EXPECT_LT(totalOverlap(requests, placeLabels(requests)), 0.5 * before);

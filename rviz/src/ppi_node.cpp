@@ -6,6 +6,8 @@
 #include <tws_msgs/Truth.h>
 #include <tws_runtime/parameters.h>
 
+#include <map>
+#include <optional>
 #include <stdexcept>
 
 #include "marker_layer.h"
@@ -21,6 +23,8 @@ constexpr double kNewRun = 1.0;
 // Stamps further ahead of data time than this are refused [s].
 constexpr double kFuture = 10.0;
 
+// How long a site's transform may be awaited [s] of data time.
+constexpr double kFrameWait = 5.0;
 // RViz forgets all markers when it is reset, by hand or by a time that goes back; so the background is sent again [s].
 constexpr double kBackgroundPeriod = 2.0;
 
@@ -125,7 +129,10 @@ class PpiNode::Impl {
       // Before the first /clock nothing is known.
       if (!latest_.isZero() && origin.header.stamp > latest_ + ros::Duration(kFuture))
         throw std::invalid_argument("the stamp lies more than 10 s ahead of data time");
-      use(origin, frameOf(origin.header.frame_id));
+      if (const auto place = placeOf(origin.header.frame_id))
+        use(origin, *place);
+      else
+        missFrame(origin.header);
     });
   }
 
@@ -140,13 +147,22 @@ class PpiNode::Impl {
     }
   }
 
-  PlanarFrame frameOf(const std::string& frame) const {
-    if (frame == params_.frame) return {};
+  // Nothing: the transform is not there yet.
+  std::optional<PlanarFrame> placeOf(const std::string& frame) const {
+    if (frame == params_.frame) return PlanarFrame();
     try {
       return planarFrame(bus_.transforms().lookupTransform(params_.frame, frame, ros::Time()).transform);
     } catch (const tf2::TransformException&) {
-      throw std::invalid_argument("the frame '" + frame + "' has no transform to '" + params_.frame + "'");
+      return std::nullopt;
     }
+  }
+
+  // A site's transform may come a moment after its first messages. Only when it stays away is that a fault.
+  void missFrame(const std_msgs::Header& header) {
+    const ros::Time since = missing_frames_.try_emplace(header.frame_id, header.stamp).first->second;
+    if (header.stamp > since + ros::Duration(kFrameWait))
+      throw std::invalid_argument("the frame '" + header.frame_id + "' has no transform to '" + params_.frame + "'");
+    bus_.counter("messages before their site's transform").add();
   }
 
   // When data time has gone back, another run has begun: what was drawn of the old one goes.
@@ -156,6 +172,7 @@ class PpiNode::Impl {
           .add("data time went back from " + std::to_string(latest_.toSec()) + " to " + std::to_string(now.toSec()) +
                ": the picture is cleared");
       picture_ = PpiPicture(params_);
+      missing_frames_.clear();
     }
     latest_ = now;
   }
@@ -180,6 +197,7 @@ class PpiNode::Impl {
   const PpiParams params_;
   PpiPicture picture_;
   ros::Time latest_;
+  std::map<std::string, ros::Time> missing_frames_;  // and when they were first missed
 
   // From the bottom to the top.
   Screen background_screen_{bus_, params_.frame, "background", 0.0, true};

@@ -41,7 +41,6 @@ TEST(PpiNode, CountsBadInputAndGoesOn) {
   tws_runtime::Bus& radar = graph.addNode("radar");
   auto detections = radar.advertise<tws_msgs::Detections>("/sps12/detections");
   auto marks = radar.advertise<tws_msgs::SectorMark>("/sps12/sector_marks");
-  auto tracks = radar.advertise<tws_msgs::Tracks>("/adit/tracks");
 
   tws_msgs::Detections sector;
   sector.header.frame_id = "map";
@@ -52,13 +51,32 @@ TEST(PpiNode, CountsBadInputAndGoesOn) {
   mark.header.frame_id = "map";
   mark.sector = 200;
   marks.publish(mark);
-  tws_msgs::Tracks lost;
-  lost.header.frame_id = "nowhere";
-  tracks.publish(lost);
   graph.drain();
 
   EXPECT_EQ(count(graph, "refused detections"), 1u);
   EXPECT_EQ(count(graph, "refused sector marks"), 1u);
+}
+
+// At the start, detections overtake the transform of their site; that alone is no fault. Without one at all nothing can
+// be drawn, and the operator must be told why.
+TEST(PpiNode, AMissingTransformIsAFaultOnlyWhenItStaysAway) {
+  std::ostringstream log;
+  tws_runtime::LocalGraph graph(log);
+  PpiNode node(graph.addNode("ppi"));
+  auto tracks = graph.addNode("adit").advertise<tws_msgs::Tracks>("/adit/tracks");
+  tws_msgs::Tracks lost;
+  lost.header.frame_id = "nowhere";
+  for (const double time : {100.0, 104.0}) {
+    lost.header.stamp = ros::Time(time);
+    tracks.publish(lost);
+  }
+  graph.drain();
+  EXPECT_EQ(count(graph, "refused tracks"), 0u);
+  EXPECT_EQ(count(graph, "messages before their site's transform"), 2u);
+
+  lost.header.stamp = ros::Time(106.0);
+  tracks.publish(lost);
+  graph.drain();
   EXPECT_EQ(count(graph, "refused tracks"), 1u);
   EXPECT_NE(log.str().find("'nowhere'"), std::string::npos);
 }
