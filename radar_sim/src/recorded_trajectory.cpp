@@ -75,6 +75,7 @@ std::vector<RecordedTrajectory::SampleRange> RecordedTrajectory::stretchesOf(con
 
 std::vector<TimeSpan> RecordedTrajectory::spansOf(const std::vector<SampleRange>& stretches) {
   std::vector<TimeSpan> spans;
+  spans.reserve(stretches.size());
   for (const SampleRange& stretch : stretches) spans.push_back({stretch.first->time, (stretch.second - 1)->time});
   return spans;
 }

@@ -174,7 +174,7 @@ std::vector<Echo> RotatingRadar::takeEchoes(double until) {
   std::stable_sort(resolved_.begin(), resolved_.end(), isEarlier);
   const auto isDue = [until](const Echo& echo) { return echo.time < until; };
   const auto due = std::partition_point(resolved_.begin(), resolved_.end(), isDue);
-  const std::vector<Echo> echoes(resolved_.begin(), due);
+  std::vector<Echo> echoes(resolved_.begin(), due);
   resolved_.erase(resolved_.begin(), due);
   return echoes;
 }

@@ -207,6 +207,32 @@ TEST(ShippedScenarios, AllRun) {
   }
 }
 
+// The report's reason for two radars: they fade at different times. Cover is a chance of 0.8 on one scan. Without cover
+// over most of the picture, or with radars that fade together, the trackers' completeness would say nothing.
+TEST(ShippedScenarios, AditNominalCoversMostAircraftByOneRadarOrTheOther) {
+  Simulation simulation(loadScenario(std::string(SCENARIOS) + "/adit_nominal.yaml"));
+  double all = 0.0, first = 0.0, second = 0.0, either = 0.0;
+  while (simulation.nextTime()) {
+    const auto report = simulation.step();
+    const auto* truth = std::get_if<TruthReport>(&report);
+    if (truth == nullptr) continue;
+    for (const TruthReport::Entry& entry : truth->entries) {
+      if (simulation.targets()[entry.target].kind != TargetKind::kAircraft) continue;
+      const bool by_first = entry.sightings[0].detection_probability >= 0.8;
+      const bool by_second = entry.sightings[1].detection_probability >= 0.8;
+      all += 1.0;
+      first += by_first;
+      second += by_second;
+      either += by_first || by_second;
+    }
+  }
+  EXPECT_EQ(all, 60.0 * 601.0);
+  EXPECT_GE(either / all, 0.8);
+  EXPECT_LE(either / all, 0.99);  // and there are places to lose an aircraft in
+  EXPECT_GE((either - first) / all, 0.03);
+  EXPECT_GE((either - second) / all, 0.03);
+}
+
 TEST(RadarPresets, ExistForEachTypeAndNoOther) {
   for (const std::string& type : radarTypes()) EXPECT_GT(radarPreset(type).rotation_period, 0.0);
   EXPECT_EQ(radarPreset("SPS-12").rotation_period, 6.0);
