@@ -1,5 +1,5 @@
-// Cost of the tracker alone, per detection, against the number of targets. Detections are made before the clock starts; the
-// tracks are formed by then.
+// Cost of the tracker alone, per detection, against the number of targets. Detections are made before the clock starts;
+// the tracks are formed by then.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -16,8 +16,8 @@ namespace adit_tracker {
 namespace {
 
 constexpr double kPeriods[] = {6.0, 8.0};
-constexpr double kWarmUp = 48.0, kMeasured = 24.0;  // [s]
-constexpr double kDensity = 1000.0 / (tws::kPi * 100e3 * 100e3);  // targets [1/m²]
+constexpr double kWarmUp = 48.0, kMeasured = 24.0;                   // [s]
+constexpr double kDensity = 1000.0 / (tws::kPi * 100e3 * 100e3);     // targets [1/m²]
 constexpr double kFalseDensity = 20.0 / (tws::kPi * 100e3 * 100e3);  // false plots a scan
 
 struct Target {
@@ -30,7 +30,8 @@ struct RadarEvent {
 };
 
 /// Straight flights on a disk seen by two radars, the errors those of 100 m × 0.3° at 100 km. Further out the azimuth
-/// error shrinks so that it stays 520 m across: otherwise no tracker could tell targets 5 km apart from each other at 1000 km.
+/// error shrinks so that it stays 520 m across: otherwise no tracker could tell targets 5 km apart from each other at
+/// 1000 km.
 class World {
  public:
   World(long targets, double radius) : radius_(radius), random_(1) {
@@ -38,7 +39,8 @@ class World {
     for (long i = 0; i < targets; ++i) {
       const double range = std::sqrt(unit(random_)) * radius, azimuth = unit(random_) * tws::kTwoPi;
       const double course = unit(random_) * tws::kTwoPi, v = speed(random_);
-      targets_.push_back({range * std::sin(azimuth), range * std::cos(azimuth), v * std::sin(course), v * std::cos(course)});
+      targets_.push_back(
+          {range * std::sin(azimuth), range * std::cos(azimuth), v * std::sin(course), v * std::cos(course)});
     }
     for (std::size_t radar = 0; radar < 2; ++radar) {
       for (double turn = 0.0; turn * kPeriods[radar] < kWarmUp + kMeasured; ++turn) addTurn(radar, turn);
@@ -100,9 +102,9 @@ class World {
   std::vector<Target> targets_;
 };
 
-AditParams paramsFor(const World& world, const std::string& set) {
+AditParams paramsFor(const World& world, const std::string& set, long targets) {
   AditParams params = AditParams::named(set);
-  params.capacity = params.clutter.capacity = 1000001;
+  params.capacity = params.clutter.capacity = static_cast<std::uint32_t>(std::min(1000001L, 1000L + 4L * targets));
   for (const char* name : {"sps12", "sps39"}) {
     RadarParams radar;
     radar.name = name;
@@ -115,14 +117,15 @@ AditParams paramsFor(const World& world, const std::string& set) {
 
 void track(benchmark::State& state, const std::string& set, double radius) {
   const World world(state.range(0), radius);
-  const AditParams params = paramsFor(world, set);
+  const AditParams params = paramsFor(world, set, state.range(0));
   std::uint64_t detections = 0;
   std::uint32_t tracks = 0;
   for ([[maybe_unused]] auto round : state) {
     state.PauseTiming();
     auto adit = std::make_unique<Adit>(params, Adit::Sink{});
     std::size_t next = 0;
-    for (; world.events[next].sector.leave_time < kWarmUp; ++next) adit->add(world.events[next].radar, world.events[next].sector);
+    for (; world.events[next].sector.leave_time < kWarmUp; ++next)
+      adit->add(world.events[next].radar, world.events[next].sector);
     state.ResumeTiming();
     for (; next < world.events.size(); ++next) {
       adit->add(world.events[next].radar, world.events[next].sector);

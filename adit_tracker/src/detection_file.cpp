@@ -1,6 +1,7 @@
 #include "detection_file.h"
 
 #include <algorithm>
+#include <tuple>
 
 namespace adit_tracker {
 
@@ -13,9 +14,10 @@ DetectionSector& DetectionFile::add(const tws::RadarSector& sector) {
   slot.leave_time = sector.leave_time;
   slot.detections.clear();
   for (const tws::Plot& plot : sector.plots) slot.detections.push_back(Detection{plot, false, 0, Detection::kNoClaim});
-  // Stable: plots of equal range keep their order of time, so that the result is the same in every run.
-  std::stable_sort(slot.detections.begin(), slot.detections.end(),
-                   [](const Detection& a, const Detection& b) { return a.plot.range < b.plot.range; });
+  // Of plots at equal range the earlier goes first, so that the result is the same in every run.
+  std::sort(slot.detections.begin(), slot.detections.end(), [](const Detection& a, const Detection& b) {
+    return std::tie(a.plot.range, a.plot.time, a.plot.azimuth) < std::tie(b.plot.range, b.plot.time, b.plot.azimuth);
+  });
   slot.ranges.clear();
   for (const Detection& detection : slot.detections) slot.ranges.push_back(detection.plot.range);
   return slot;
