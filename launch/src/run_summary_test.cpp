@@ -1,0 +1,127 @@
+#include "run_summary.h"
+
+#include <gtest/gtest.h>
+#include <rosbag/bag.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <sstream>
+
+namespace tws_launch {
+namespace {
+
+// A user judges a run by this table: what it says must be what happened.
+
+using tws_msgs::Track;
+
+tws_msgs::Detections detections(const std::string& radar, double time, std::size_t plots) {
+  tws_msgs::Detections message;
+  message.header.stamp = ros::Time(time);
+  message.radar = radar;
+  message.detections.resize(plots);
+  return message;
+}
+
+tws_msgs::Tracks tracks(const std::vector<std::pair<std::uint32_t, std::uint8_t>>& uids_and_states) {
+  tws_msgs::Tracks message;
+  message.tracker = "adit";
+  for (const auto& [uid, state] : uids_and_states) {
+    message.tracks.emplace_back();
+    message.tracks.back().uid = uid;
+    message.tracks.back().state = state;
+  }
+  return message;
+}
+
+std::string printed(const RunSummary& summary, const std::vector<tws_runtime::CounterReading>& counters = {}) {
+  std::ostringstream out;
+  summary.print(out, counters, 2.5);
+  return out.str();
+}
+
+/// The numbers of the row that begins with `name`.
+std::vector<double> row(const std::string& table, const std::string& name) {
+  std::istringstream lines(table);
+  for (std::string line; std::getline(lines, line);) {
+    std::istringstream words(line);
+    std::string word;
+    if (!(words >> word) || word != name) continue;
+    std::vector<double> numbers;
+    for (double number = 0.0; words >> number;) numbers.push_back(number);
+    return numbers;
+  }
+  return {};
+}
+
+TEST(RunSummary, CountsSectorsAndPlotsOfEachRadarAndTheTimeBetweenFirstAndLast) {
+  RunSummary summary;
+  summary.add(detections("a", 10.0, 2));
+  summary.add(detections("b", 12.0, 0));
+  summary.add(detections("a", 14.0, 4));
+  EXPECT_DOUBLE_EQ(summary.simulatedTime(), 4.0);
+  EXPECT_EQ(summary.plots(), 6U);
+  const std::string table = printed(summary);
+  EXPECT_NE(table.find("simulated time 4.0 s, wall time 2.5 s"), std::string::npos) << table;
+  EXPECT_EQ(row(table, "a"), (std::vector<double>{2, 6, 1.5})) << table;
+  EXPECT_EQ(row(table, "b"), (std::vector<double>{1, 0, 0.0})) << table;
+}
+
+TEST(RunSummary, CountsEachTrackByItsLastWord) {
+  RunSummary summary;
+  summary.add(tracks({{1, Track::TENTATIVE}, {2, Track::TENTATIVE}, {3, Track::TENTATIVE}}));
+  summary.add(tracks({{1, Track::FIRM}, {2, Track::FIRM}, {4, Track::TENTATIVE}}));
+  summary.add(tracks({{1, Track::COASTING}, {3, Track::DROPPED}}));
+  tws_msgs::ClutterMap map;
+  map.tracker = "adit";
+  map.points.resize(7);
+  summary.add(map);
+  EXPECT_EQ(summary.livingTracks(), 3U);
+  // Started 4, firmed 2, dropped 1; at the end one each firm, coasting and tentative, and 7 clutter points.
+  EXPECT_EQ(row(printed(summary), "adit"), (std::vector<double>{4, 2, 1, 1, 1, 1, 7})) << printed(summary);
+}
+
+TEST(RunSummary, ShowsOnlyCountersThatCounted) {
+  const std::string table = printed(RunSummary(), {{"adit", "late sectors", 3, true}, {"adit", "gaps", 0, false}});
+  EXPECT_NE(table.find("late sectors"), std::string::npos) << table;
+  EXPECT_EQ(table.find("gaps"), std::string::npos) << table;
+}
+
+TEST(RunSummary, TakesTheLastWordOfTheDiagnostics) {
+  diagnostic_msgs::DiagnosticArray message;
+  message.status.resize(1);
+  message.status[0].hardware_id = "adit";
+  message.status[0].values.resize(1);
+  message.status[0].values[0].key = "gaps";
+  RunSummary summary;
+  for (const char* value : {"2", "5"}) {
+    message.status[0].values[0].value = value;
+    summary.add(message);
+  }
+  ASSERT_EQ(summary.counters().size(), 1U);
+  EXPECT_EQ(summary.counters()[0].node, "adit");
+  EXPECT_EQ(summary.counters()[0].value, 5U);
+}
+
+TEST(RunSummary, ReadsABag) {
+  const std::string path = "/tmp/run_summary_test_" + std::to_string(getpid()) + ".bag";
+  rosbag::Bag bag(path, rosbag::bagmode::Write);
+  bag.write("/a/detections", ros::Time(1.0), detections("a", 1.0, 2));
+  bag.write("/adit/tracks", ros::Time(1.0), tracks({{1, Track::FIRM}}));
+  bag.close();
+  const RunSummary summary = RunSummary::ofBag(path);
+  std::remove(path.c_str());
+  EXPECT_EQ(summary.plots(), 2U);
+  EXPECT_EQ(summary.livingTracks(), 1U);
+}
+
+TEST(RunSummary, NamesTheFileThatIsNoBag) {
+  try {
+    RunSummary::ofBag("/dev/null");
+    FAIL() << "no exception";
+  } catch (const std::runtime_error& error) {
+    EXPECT_NE(std::string(error.what()).find("/dev/null"), std::string::npos) << error.what();
+  }
+}
+
+}  // namespace
+}  // namespace tws_launch

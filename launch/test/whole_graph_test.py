@@ -1,0 +1,143 @@
+#!/usr/bin/env python3
+"""The graph as a whole: one scenario live, replayed and offline must give the same tracks, byte by byte but for header.seq.
+
+Whoever evaluates a tracker offline, or looks into a recorded incident, relies on that.
+"""
+import pathlib
+import random
+import subprocess
+import tempfile
+import unittest
+
+import rosbag
+import rospy
+import rosunit
+import yaml
+
+SCENARIO = "full"
+DURATION = 30  # of data time [s]: long enough for firm tracks, coasts and drops
+RADARS = ["sps12", "sps39"]
+SENSOR_TOPICS = [f"/{radar}/{kind}" for radar in RADARS for kind in ("detections", "sector_marks")]
+
+
+def command(*words):
+    """Runs a command to its good end and returns what it printed."""
+    done = subprocess.run([str(word) for word in words], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, timeout=120)
+    if done.returncode != 0 or "process has died" in done.stdout:
+        raise AssertionError(f"{' '.join(map(str, words))} failed:\n{done.stdout}")
+    return done.stdout
+
+
+def launch(file, record, **arguments):
+    command("roslaunch", "--no-summary", "tws_launch", file, f"record:={record}", "rviz:=false", f"radars:={' '.join(RADARS)}",
+            *(f"{name}:={value}" for name, value in arguments.items()))
+    return record
+
+
+def offline(source, folder, *options):
+    command("rosrun", "tws_launch", "tws_offline", source, "--out", folder, *options)
+    return folder / "run.bag"
+
+
+def tracks(bag):
+    """All messages on /adit/tracks as bytes, without the first four, which are header.seq."""
+    return [raw[1][4:] for _, raw, _ in rosbag.Bag(str(bag)).read_messages(["/adit/tracks"], raw=True)]
+
+
+def late(bag):
+    """The counts in the diagnostics of a live run that tell of messages that came too late for the same result."""
+    counts = {}
+    for _, message, _ in rosbag.Bag(str(bag)).read_messages(["/diagnostics"]):
+        for status in message.status:
+            counts.update({f"{status.hardware_id}: {v.key}": int(v.value) for v in status.values if v.key.startswith("late")})
+    return {name: count for name, count in counts.items() if count}
+
+
+def publications(bag):
+    """Who publishes what: topic, type, node."""
+    with rosbag.Bag(str(bag)) as opened:
+        connections = [(c.topic, c.datatype, c.header["callerid"]) for c in opened._get_connections()]
+    return {connection for connection in connections if connection[0] not in ("/diagnostics", "/tf_static")}
+
+
+def shuffled(source, target, seed):
+    """A copy in which each sensor topic arrives late by an amount of its own, below the trackers' limit of a second."""
+    delays = random.Random(seed)
+    delay = {topic: rospy.Duration(delays.uniform(0.0, 0.4)) for topic in SENSOR_TOPICS}
+    with rosbag.Bag(str(source)) as recorded, rosbag.Bag(str(target), "w") as out:
+        for topic, message, time in recorded.read_messages(SENSOR_TOPICS + ["/tf_static"]):
+            out.write(topic, message, time + delay.get(topic, rospy.Duration()))
+    return target
+
+
+class WholeGraphTest(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = pathlib.Path(tempfile.mkdtemp(prefix="whole_graph_"))
+        cls.live = launch("run.launch", cls.folder / "live.bag", scenario=SCENARIO, rate=10, duration=DURATION)
+        cls.live_tracks = tracks(cls.live)
+
+    @classmethod
+    def tearDownClass(cls):
+        command("rm", "-rf", cls.folder)
+
+    def check_same_tracks(self, bag, run):
+        """Equal up to the last input; one of the two may have been stopped a few messages earlier."""
+        self.assertEqual(late(bag), {}, f"{run}: this machine was too slow for the comparison")
+        others = tracks(bag)
+        length = min(len(self.live_tracks), len(others))
+        self.assertLessEqual(max(len(self.live_tracks), len(others)) - length, 10, run)
+        different = [i for i in range(length) if self.live_tracks[i] != others[i]]
+        self.assertFalse(different, f"{run}: {len(different)} of {length} messages differ, the first is number {different[:1]}")
+
+    def test_the_live_run_has_firm_tracks_and_loses_nothing(self):
+        self.assertEqual(late(self.live), {}, "this machine was too slow for the test")
+        with rosbag.Bag(str(self.live)) as bag:
+            messages = [message for _, message, _ in bag.read_messages(["/adit/tracks"])]
+            for radar, period in (("sps12", 6.0), ("sps39", 8.0)):
+                self.assertAlmostEqual(bag.get_message_count(f"/{radar}/detections"), 64 * DURATION / period, delta=1)
+        self.assertEqual([m.sequence for m in messages], list(range(len(messages))))
+        self.assertTrue(any(track.state == track.FIRM for m in messages for track in m.tracks))
+
+    def test_an_offline_run_of_the_scenario_gives_the_same_tracks(self):
+        bag = offline(f"{command('rospack', 'find', 'tws_launch').strip()}/scenarios/{SCENARIO}.yaml", self.folder / "offline",
+                      "--duration", DURATION)
+        self.check_same_tracks(bag, "offline from the scenario")
+        self.assertEqual(publications(bag), publications(self.live))
+
+    def test_an_offline_run_of_the_bag_gives_the_same_tracks(self):
+        self.check_same_tracks(offline(self.live, self.folder / "offline_bag"), "offline from the bag")
+
+    def test_a_replay_at_recorded_speed_gives_the_same_tracks(self):
+        self.check_same_tracks(launch("replay.launch", self.folder / "slow.bag", bag=self.live, rate=1), "replay")
+
+    def test_a_replay_at_ten_times_the_speed_gives_the_same_tracks(self):
+        self.check_same_tracks(launch("replay.launch", self.folder / "fast.bag", bag=self.live, rate=10), "fast replay")
+
+    def test_topics_that_interleave_differently_give_the_same_tracks(self):
+        for seed in range(5):
+            bag = shuffled(self.live, self.folder / f"shuffled{seed}.bag", seed)
+            self.check_same_tracks(offline(bag, self.folder / f"shuffled{seed}"), f"shuffled with seed {seed}, offline")
+        self.check_same_tracks(launch("replay.launch", self.folder / "shuffled.bag", bag=bag, rate=5), "shuffled, replayed")
+
+    def test_the_offline_graph_is_what_roslaunch_starts(self):
+        """Nodes and private parameters, compared with roslaunch's own dump of the launch file."""
+        file = f"{command('rospack', 'find', 'tws_launch').strip()}/run.launch"
+        described = yaml.safe_load(command("rosrun", "tws_launch", "describe_graph", file, "rviz:=false"))
+        self.assertEqual(sorted("/" + node["name"] for node in described),
+                         sorted(command("roslaunch", "--nodes", file, "rviz:=false").split()))
+        dumped = yaml.safe_load(command("roslaunch", "--dump-params", file, "rviz:=false"))
+
+        def flat(prefix, tree):
+            if not isinstance(tree, dict):
+                return {prefix: tree}
+            return {key: value for name, branch in tree.items() for key, value in flat(f"{prefix}/{name}", branch).items()}
+
+        parameters = {}
+        for node in described:
+            parameters.update(flat("/" + node["name"], node["parameters"]))
+        self.assertEqual(parameters, {key: value for key, value in dumped.items() if key.count("/") > 1})
+
+
+if __name__ == "__main__":
+    rosunit.unitrun("tws_launch", "whole_graph_test", WholeGraphTest)
