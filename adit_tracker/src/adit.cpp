@@ -14,6 +14,8 @@ namespace {
 constexpr std::int64_t kClutterAhead = 3;      // sectors that the clutter map runs ahead of the tracks
 constexpr std::int64_t kInitiationBehind = 1;  // sectors that initiation runs behind them
 constexpr int kSecondarySectors = 2;           // sectors ahead whose tracks take part in the correlation
+// Plots beyond are mistakes: no radar sees further, and their squares must stay finite.
+constexpr double kGreatestRange = 1e7;  // [m]
 // A prediction that is off by less in time is not made anew.
 constexpr double kPredictionTolerance = 0.3;  // [s]
 // A track learns nothing about its radar's errors before it has settled.
@@ -54,31 +56,23 @@ Adit::Adit(const AditParams& params, Sink sink)
   for (std::size_t i = 0; i < maps; ++i) clutter_.emplace_back(params.clutter, params.conversion);
 }
 
-void Adit::add(std::size_t radar, const tws::RadarSector& sector) {
+void Adit::add(std::size_t radar, tws::RadarSector sector) {
   RadarState& state = radars_.at(radar);
   const std::int64_t newest = executive_.newest(radar);
   if (sector.running <= newest) {
     throw std::invalid_argument("radar " + params_.radars[radar].name + ": sector " + std::to_string(sector.running) +
                                 " comes after sector " + std::to_string(newest));
   }
-  const tws::RadarSector* accepted = &sector;
-  tws::RadarSector cleaned;
   const auto bad = [](const tws::Plot& p) {
-    return !(std::isfinite(p.time) && std::isfinite(p.range) && std::isfinite(p.azimuth) && p.range > 0.0);
+    return !(std::isfinite(p.time) && std::isfinite(p.azimuth) && p.range > 0.0 && p.range <= kGreatestRange);
   };
-  const auto rejected = std::count_if(sector.plots.begin(), sector.plots.end(), bad);
-  if (rejected > 0) {
-    cleaned = sector;
-    cleaned.plots.erase(std::remove_if(cleaned.plots.begin(), cleaned.plots.end(), bad), cleaned.plots.end());
-    accepted = &cleaned;
-    counts_.rejected_plots += static_cast<std::uint64_t>(rejected);
-  }
-  counts_.plots += accepted->plots.size();
-  state.antenna.mark(sector.running, sector.enter_time);
-  state.antenna.mark(sector.running + 1, sector.leave_time);
-  state.detections.add(*accepted);
-  for (const tws::Plot& plot : accepted->plots) state.quality.saw(plot.range);
+  auto& plots = sector.plots;
+  const std::size_t given = plots.size();
+  plots.erase(std::remove_if(plots.begin(), plots.end(), bad), plots.end());
+  counts_.rejected_plots += given - plots.size();
+  counts_.plots += plots.size();
   if (!executive_.closed(radar, sector.running, sector.enter_time, sector.leave_time)) ++counts_.late_sectors;
+  state.waiting.push_back(std::move(sector));
   run();
 }
 
@@ -91,8 +85,23 @@ void Adit::run() {
   while (const auto turn = executive_.next()) process(*turn);
 }
 
+/// Lets in what the turn may look at: the radar's sectors up to four ahead. What else has come must not matter, or the
+/// result would depend on how the radars' messages interleave.
+void Adit::admit(const Executive::Turn& turn) {
+  RadarState& radar = radarOf(turn);
+  auto& waiting = radar.waiting;
+  for (; !waiting.empty() && waiting.front().running <= turn.running + Executive::kSectorsAhead; waiting.pop_front()) {
+    const tws::RadarSector& sector = waiting.front();
+    radar.antenna.mark(sector.running, sector.enter_time);
+    radar.antenna.mark(sector.running + 1, sector.leave_time);
+    radar.detections.add(sector);
+    for (const tws::Plot& plot : sector.plots) radar.quality.saw(plot.range);
+  }
+}
+
 /// Figure 3 of the report: one sector of the radar whose data are the oldest.
 void Adit::process(const Executive::Turn& turn) {
+  admit(turn);
   report_.radar = turn.radar;
   report_.running = turn.running;
   report_.enter_time = radarOf(turn).antenna.timeAt(Antenna::startOf(turn.running));
@@ -132,17 +141,18 @@ void Adit::mapClutter(const Executive::Turn& turn) {
   }
 }
 
-/// The tracks in a sector that this radar has not updated on this scan, each aimed at the radar's beam.
+/// The tracks in a sector that this radar has not met on this scan, each aimed at the radar's beam.
 void Adit::listSector(const Executive::Turn& turn, std::int64_t running, Slots& slots) {
   const std::size_t begin = slots.size();
   tracks_.list(sectorNumber(running), slots);
-  const auto met = [&](TrackFile::Slot s) { return updatedOnThisScan(tracks_.at(s), turn.radar); };
+  const auto met = [&](TrackFile::Slot s) { return metOnThisScan(tracks_.at(s), turn.radar, running); };
   slots.erase(std::remove_if(slots.begin() + static_cast<std::ptrdiff_t>(begin), slots.end(), met), slots.end());
   for (std::size_t i = begin; i < slots.size(); ++i) aimAt(tracks_.at(slots[i]), turn.radar, running);
 }
 
-bool Adit::updatedOnThisScan(const Track& track, std::size_t radar) const {
-  return report_.enter_time - track.updated[radar] < 0.5 * radars_[radar].antenna.period();
+/// Updated or missed: a track that has moved on into the next sector has had its chance all the same.
+bool Adit::metOnThisScan(const Track& track, std::size_t radar, std::int64_t running) {
+  return track.illuminated[radar] > Antenna::startOf(running) - tws::kPi;
 }
 
 /// Sees to it that the prediction is for this radar's beam in that sector. It mostly is already; not so when another
@@ -163,7 +173,7 @@ void Adit::correlate(const Executive::Turn& turn) {
     update(turn, c.slot, *c.detection);
   }
   for (const auto slot : primary_) {
-    if (!updatedOnThisScan(tracks_.at(slot), turn.radar)) miss(turn, slot);
+    if (!metOnThisScan(tracks_.at(slot), turn.radar, turn.running)) miss(turn, slot);
   }
 }
 
@@ -310,7 +320,9 @@ double Adit::nextIllumination(const Track& track, std::size_t radar) const {
   const double earliest = std::max(Antenna::startOf(executive_.front(radar)), track.illuminated[radar] + tws::kPi);
   const auto atLeast = [&](double azimuth) { return earliest + tws::wrapTwoPi(azimuth - earliest); };
   const double guess = atLeast(track.smoothed.azimuth);
-  const double moved = track.smoothed.azimuth_rate * (antenna.timeAt(guess) - track.smoothed.time);
+  // Right over the site, azimuth rates have no meaning: half a turn at most.
+  const double moved =
+      std::clamp(track.smoothed.azimuth_rate * (antenna.timeAt(guess) - track.smoothed.time), -tws::kPi, tws::kPi);
   double crossing = guess + moved;
   if (crossing < earliest) crossing += tws::kTwoPi;
   return antenna.timeAt(crossing);

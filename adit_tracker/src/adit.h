@@ -52,9 +52,9 @@ class Adit {
   Adit(const AditParams& params, Sink sink);
 
   /// Takes in a closed sector of a radar (index in params.radars) and processes what has become ready. Within a radar,
-  /// sectors come in order: one that does not is refused by std::invalid_argument. Plots that are not finite or have no
-  /// positive range are left out and counted.
-  void add(std::size_t radar, const tws::RadarSector& sector);
+  /// sectors come in order: one that does not is refused by std::invalid_argument. Plots that are not finite or whose
+  /// range is not in (0, 10 000 km] are left out and counted.
+  void add(std::size_t radar, tws::RadarSector sector);
 
   /// No more data will come: processes what is left.
   void finish();
@@ -77,6 +77,7 @@ class Adit {
 
   void run();
   void process(const Executive::Turn& turn);
+  void admit(const Executive::Turn& turn);
   void mapClutter(const Executive::Turn& turn);
   void correlate(const Executive::Turn& turn);
   bool tellsErrors(const Track& track, const tws::Plot& plot) const;
@@ -89,7 +90,7 @@ class Adit {
   void moveOn(TrackFile::Slot slot, std::size_t radar);
   void drop(TrackFile::Slot slot, double time);
 
-  bool updatedOnThisScan(const Track& track, std::size_t radar) const;
+  static bool metOnThisScan(const Track& track, std::size_t radar, std::int64_t running);
   void listSector(const Executive::Turn& turn, std::int64_t running, Slots& slots);
   void aimAt(Track& track, std::size_t radar, std::int64_t running);
   void predictNext(Track& track);

@@ -92,6 +92,7 @@ class Run {
         adit_(paramsOf(options, table), [this](const SectorReport& r) { onSector(r); }) {}
 
   void go() {
+    if (options_.epochs > 0.0) epoch_ = std::ceil(first_time_ / options_.epochs);
     while (SectorFeed* feed = earliest()) {
       pictures(*feed->nextTime());
       const auto radar = static_cast<std::size_t>(feed - feeds_.data());
@@ -124,6 +125,7 @@ class Run {
     for (const RadarSpec& spec : radarsOf(options, table)) {
       auto& plots = table.radars[spec.id];
       if (plots.empty()) throw std::runtime_error(options.detections + ": there is no plot of radar " + spec.id);
+      first_time_ = std::min(first_time_, plots.front().time);
       last_time_ = std::max(last_time_, plots.back().time);
       feeds_.emplace_back(plots, rotationOf(spec, plots));
       RadarParams radar = given.count(spec.id) > 0 ? given.at(spec.id) : RadarParams{};
@@ -168,8 +170,9 @@ class Run {
 
   Options options_;
   std::vector<SectorFeed> feeds_;
+  double first_time_ = std::numeric_limits<double>::infinity();
   double last_time_ = -std::numeric_limits<double>::infinity();
-  double epoch_ = 1.0;
+  double epoch_ = 0.0;  // of the next picture, in units of the distance between them
   TrackCsv csv_;
   Adit adit_;
 };

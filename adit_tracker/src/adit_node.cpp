@@ -84,7 +84,7 @@ class AditNode::Impl {
     waiting_[radar].push_back(std::move(sector));
     if (!sites_[radar] && !findSite(radar)) return;
     while (!waiting_[radar].empty()) {
-      if (sites_[radar]->usable) adit_->add(radar, waiting_[radar].front());
+      if (sites_[radar]->usable) adit_->add(radar, std::move(waiting_[radar].front()));
       waiting_[radar].pop_front();
     }
     countTroubles();
@@ -152,7 +152,7 @@ class AditNode::Impl {
     count("late sectors", &AditCounts::late_sectors,
           "a radar's data came more than " + std::to_string(params_.adit.skew_limit) + " s after the others'");
     count("rejected plots", &AditCounts::rejected_plots,
-          "range, azimuth or time is no number, or range is not positive");
+          "range, azimuth or time is no number, or range is not in (0, 10000 km]");
     totals_ = now;
   }
 

@@ -46,6 +46,9 @@ void checkGates(const AditParams& params) {
       throw std::invalid_argument(name + " is smaller than the one before");
     }
   }
+  if (!std::is_sorted(params.gate_distances.begin(), params.gate_distances.end())) {
+    throw std::invalid_argument("gate_distances: they must grow from one to the next");
+  }
   if (params.gates == GateKind::kStatistical && params.filter != FilterKind::kTurning) {
     throw std::invalid_argument("gates: statistical gates need the turning filter, which has a covariance");
   }

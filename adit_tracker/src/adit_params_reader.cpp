@@ -12,17 +12,15 @@ using tws_runtime::ParameterReader;
 constexpr double kMost = 1e9;
 
 void degrees(ParameterReader& reader, const std::string& key, double& radians, double least, double greatest) {
-  if (!reader.has(key)) return;
   double value = 0.0;
   reader.number(key, value, least, greatest);
-  radians = tws::radians(value);
+  if (reader.has(key)) radians = tws::radians(value);
 }
 
 void knots(ParameterReader& reader, const std::string& key, double& speed) {
-  if (!reader.has(key)) return;
   double value = 0.0;
   reader.number(key, value, 0.0, 10000.0);
-  speed = tws::speedFromKnots(value);
+  if (reader.has(key)) speed = tws::speedFromKnots(value);
 }
 
 void number(ParameterReader& reader, const std::string& key, std::uint32_t& value, long least, long greatest) {
@@ -45,9 +43,10 @@ void choice(ParameterReader& reader, const std::string& key, T& value,
 }
 
 void readRadars(ParameterReader& reader, std::vector<RadarParams>& radars) {
+  std::vector<ParameterReader> entries = reader.list("radars");
   if (!reader.has("radars")) return;
   radars.clear();
-  for (ParameterReader& entry : reader.list("radars")) {
+  for (ParameterReader& entry : entries) {
     RadarParams radar;
     entry.require("name");
     entry.text("name", radar.name);
@@ -62,9 +61,9 @@ void readRadars(ParameterReader& reader, std::vector<RadarParams>& radars) {
 /// Five values, one a gate.
 void readGates(ParameterReader reader, std::array<Gate, kGates>& gates) {
   const auto read = [&](const std::string& key, double Gate::*member, double greatest, double unit) {
-    if (!reader.has(key)) return;
     std::vector<double> values;
     reader.numbers(key, values, 0.0, greatest);
+    if (!reader.has(key)) return;
     if (values.size() != kGates) reader.fail(key, "needs " + std::to_string(kGates) + " values");
     for (std::size_t g = 0; g < kGates; ++g) gates[g].*member = unit * values[g];
   };
@@ -76,9 +75,9 @@ void readGates(ParameterReader reader, std::array<Gate, kGates>& gates) {
 }
 
 void readGateDistances(ParameterReader& reader, std::array<double, kGates>& distances) {
-  if (!reader.has("gate_distances")) return;
   std::vector<double> values;
   reader.numbers("gate_distances", values, 0.0, kMost);
+  if (!reader.has("gate_distances")) return;
   if (values.size() + 1 != kGates) reader.fail("gate_distances", "needs 4 values; the fifth region has no limit");
   std::copy(values.begin(), values.end(), distances.begin());
 }

@@ -93,8 +93,8 @@ TEST_F(ClutterMapTest, TakesTheDetectionWithTheLeastEffectiveDistance) {
 TEST_F(ClutterMapTest, LooksIntoBothNeighbouringSectorsAlsoAcrossNorth) {
   ASSERT_TRUE(map_.initiate(plotAt(6.39, 50e3, 63.9 * kSector), 0));
   ASSERT_TRUE(map_.initiate(plotAt(6.45, 80e3, 0.1 * kSector), 0));
-  see(127, {plotAt(12.79, 80e3, -0.05 * kSector)});   // Of the point in sector 0.
-  see(128, {plotAt(12.81, 50e3, 0.05 * kSector)});    // Of the point in sector 63.
+  see(127, {plotAt(12.79, 80e3, -0.05 * kSector)});  // Of the point in sector 0.
+  see(128, {plotAt(12.81, 50e3, 0.05 * kSector)});   // Of the point in sector 63.
   process(127);
   process(128);
   EXPECT_TRUE(detection(127).used);

@@ -3,19 +3,13 @@
 #include <algorithm>
 
 namespace adit_tracker {
-namespace {
-// The clutter map works on sector +3 with the detections of sector +4.
-constexpr std::int64_t kSectorsAhead = 4;
-}  // namespace
-
 Executive::Executive(std::size_t radars, double limit) : radars_(radars), limit_(limit) {}
 
 bool Executive::closed(std::size_t radar, std::int64_t running, double enter_time, double leave_time) {
   Radar& r = radars_[radar];
   if (!any_) first_ = enter_time;
   any_ = true;
-  if (r.pending.empty()) r.next = running;
-  r.pending.push_back({running, enter_time});
+  r.pending.push_back({running, enter_time, leave_time});
   r.newest = running;
   r.newest_leave = leave_time;
   r.sector_duration = leave_time - enter_time;
@@ -24,11 +18,11 @@ bool Executive::closed(std::size_t radar, std::int64_t running, double enter_tim
   return !(any_handed_out_ && enter_time < handed_out_);
 }
 
-bool Executive::silent(const Radar& radar) const {
+bool Executive::overdue(const Radar& radar) const {
   return newest_ > (radar.heard ? radar.newest_leave + radar.sector_duration : first_) + limit_;
 }
 
-bool Executive::silent(std::size_t radar) const { return silent(radars_[radar]); }
+bool Executive::silent(std::size_t radar) const { return handed_out_ > radars_[radar].done_until + limit_; }
 
 std::int64_t Executive::front(std::size_t radar) const { return radars_[radar].next; }
 
@@ -39,7 +33,7 @@ double Executive::nextTime(const Radar& radar) const {
 /// The sectors ahead are closed, or nothing more will come of this radar.
 bool Executive::ready(const Radar& radar) const {
   if (radar.pending.empty()) return false;
-  return finished_ || radar.pending.front().running + kSectorsAhead <= radar.newest || silent(radar);
+  return finished_ || radar.pending.front().running + kSectorsAhead <= radar.newest || overdue(radar);
 }
 
 /// Could `radar` still come up with a sector older than `time`?
@@ -65,8 +59,9 @@ std::optional<Executive::Turn> Executive::next() {
   }
   Radar& r = radars_[best];
   const Turn turn{best, r.pending.front().running};
+  r.next = turn.running + 1;
+  r.done_until = r.pending.front().leave_time;
   r.pending.pop_front();
-  r.next = r.pending.empty() ? turn.running + 1 : r.pending.front().running;
   handed_out_ = std::max(handed_out_, time);
   any_handed_out_ = true;
   return turn;

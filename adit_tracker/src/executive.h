@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <deque>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -18,6 +19,8 @@ class Executive {
     std::size_t radar;
     std::int64_t running;
   };
+  /// The clutter map works on sector +3 with the detections of sector +4.
+  static constexpr std::int64_t kSectorsAhead = 4;
 
   /// `limit`: how late a radar's data may be against the newest of all before it counts as silent [s of data time].
   Executive(std::size_t radars, double limit);
@@ -32,19 +35,20 @@ class Executive {
   /// No more data will come: next() hands out all that is left.
   void finish() { finished_ = true; }
 
-  /// The sector of a radar that is up next: its front.
+  /// The sector of a radar that follows the one handed out last: its front.
   std::int64_t front(std::size_t radar) const;
 
   /// The latest sector that the radar has closed; -1: none yet.
   std::int64_t newest(std::size_t radar) const { return radars_[radar].newest; }
 
-  /// Is the radar's data older than the limit allows?
+  /// Has the radar not been heard of for longer than the limit, as seen from the sector handed out last? Like front(),
+  /// it follows from what was handed out, not from what has arrived, so that it is the same in every run.
   bool silent(std::size_t radar) const;
 
  private:
   struct Pending {
     std::int64_t running;
-    double enter_time;
+    double enter_time, leave_time;
   };
   struct Radar {
     std::deque<Pending> pending;
@@ -52,12 +56,13 @@ class Executive {
     std::int64_t next = 0;
     double newest_leave = 0.0;
     double sector_duration = 0.0;
+    double done_until = -std::numeric_limits<double>::infinity();  // leave time of the sector handed out last
     bool heard = false;
   };
 
   double nextTime(const Radar& radar) const;
   bool ready(const Radar& radar) const;
-  bool silent(const Radar& radar) const;
+  bool overdue(const Radar& radar) const;
   bool mayYieldTo(const Radar& radar, double time) const;
 
   std::vector<Radar> radars_;

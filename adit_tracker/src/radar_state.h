@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <deque>
 
 #include "adit_params.h"
 #include "antenna.h"
@@ -50,6 +51,7 @@ struct RadarState {
   Antenna antenna;
   DetectionFile detections;
   RadarQuality quality;
+  std::deque<tws::RadarSector> waiting;  // sectors that have come before their turn
 };
 
 }  // namespace adit_tracker

@@ -113,7 +113,9 @@ PlanarState meanOf(const States& states, const Weights& weights) {
 /// One Gaussian with the mean and the covariance of the mixture.
 PlanarState merged(const States& states, const Weights& weights) {
   PlanarState result = meanOf(states, weights);
-  for (std::size_t i = 0; i < states.size(); ++i) addSpread(result, states[i], weights[i]);
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    if (weights[i] > 0.0) addSpread(result, states[i], weights[i]);
+  }
   return result;
 }
 
@@ -200,6 +202,7 @@ double TurningFilter::update(const PlanarMeasurement& z, double dt, const Turnin
   mix(dt, params);
   move(state_, dt, params);
   const bool manoeuvre =
+      params.manoeuvre_acceleration > 0.0 &&
       std::all_of(state_.begin(), state_.end(), [&](const PlanarState& s) { return surprise(s, z) > kSurprise; });
   if (manoeuvre) {
     for (PlanarState& s : state_) addManoeuvre(s, dt, params.manoeuvre_acceleration);

@@ -3,6 +3,8 @@
 #include <array>
 #include <cstddef>
 
+#include <tws_core/units.h>
+
 namespace adit_tracker {
 
 /// A symmetric 2 × 2 matrix.
@@ -35,11 +37,11 @@ struct PlanarState {
 
 /// What the turning filter assumes. One set serves all tracks.
 struct TurningFilterParams {
-  double turn_rate = 0.0384;           // Of the turning models, one each way [rad/s], (0, 0.5]: 2.2°/s.
-  double straight_acceleration = 0.2;  // White acceleration density of the straight model [m²/s³].
-  double turning_acceleration = 15.0;  // The same of the turning models.
-  double straight_time = 100.0;        // Mean time between turns [s].
-  double turning_time = 30.0;          // Mean time of a turn [s].
+  double turn_rate = tws::radians(2.2);  // Of the turning models, one each way [rad/s], (0, 0.5].
+  double straight_acceleration = 0.2;    // White acceleration density of the straight model [m²/s³].
+  double turning_acceleration = 15.0;    // The same of the turning models.
+  double straight_time = 100.0;          // Mean time between turns [s].
+  double turning_time = 30.0;            // Mean time of a turn [s].
   // A 2-D radar sees slant range: close to it, straight flight at a height looks accelerated on the plane. The height
   // [m] that is assumed for that, 0: the plane is all there is.
   double assumed_height = 10000.0;

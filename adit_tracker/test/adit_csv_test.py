@@ -1,0 +1,168 @@
+#!/usr/bin/env python3
+"""adit_csv from the command line: adit_csv_test.py PATH_OF_ADIT_CSV"""
+import math
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+
+ADIT_CSV = sys.argv.pop(1)
+PERIODS = {"a": 6.0, "b": 8.0}
+
+
+def plots(start=0.0, until=120.0):
+    """One aircraft from (60, 20) km with (-150, 120) m/s, seen by two radars whose beams point north at t = start."""
+    rows = []
+    for radar, period in PERIODS.items():
+        for scan in range(int(until / period)):
+            t = start + scan * period
+            for _ in range(20):
+                x, y = 60e3 - 150 * (t - start), 20e3 + 120 * (t - start)
+                azimuth = math.degrees(math.atan2(x, y)) % 360
+                t = start + (scan + azimuth / 360) * period
+            rows.append((t, f"{t:.4f},{radar},{scan},{math.hypot(x, y):.1f},{azimuth:.4f}"))
+    return [row for _, row in sorted(rows)]
+
+
+class AditCsv(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.detections = os.path.join(self.folder.name, "plots.csv")
+        self.tracks = os.path.join(self.folder.name, "tracks.csv")
+
+    def tearDown(self):
+        self.folder.cleanup()
+
+    def write(self, rows):
+        with open(self.detections, "w") as file:
+            file.write("t_s,radar,scan,range_m,az_deg\n" + "".join(row + "\n" for row in rows))
+
+    def start(self, *arguments):
+        return subprocess.run([ADIT_CSV, *arguments], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, timeout=60)
+
+    def track(self, rows, *arguments, radars=("a:6:0", "b:8:0")):
+        """The rows written, without the header, and what was said."""
+        self.write(rows)
+        named = [word for radar in radars for word in ("--radar", radar)]
+        done = self.start("--detections", self.detections, "--tracks", self.tracks, *named, *arguments)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        with open(self.tracks) as file:
+            lines = file.read().splitlines()
+        self.assertEqual(lines[0], "t_s,track_id,x_m,y_m,vx_mps,vy_mps,status")
+        return [line.split(",") for line in lines[1:]], done.stderr
+
+    # If this fails, a script cannot tell a slip in its command line from a bad file.
+    def test_bad_usage_exits_with_2(self):
+        for arguments in ([], ["--detections", "x"], ["--detections", "x", "--tracks", "y", "--nonsense"],
+                          ["--detections", "x", "--tracks", "y", "--capacity", "1"],
+                          ["--detections", "x", "--tracks", "y", "--epochs", "-5"]):
+            done = self.start(*arguments)
+            self.assertEqual(done.returncode, 2, arguments)
+            self.assertNotEqual(done.stderr, "")
+
+    def test_help_exits_with_0(self):
+        done = self.start("--help")
+        self.assertEqual(done.returncode, 0)
+        self.assertIn("--detections", done.stdout)
+
+    def refused(self, *arguments):
+        done = self.start("--detections", self.detections, "--tracks", self.tracks, *arguments)
+        self.assertEqual(done.returncode, 1, done.stderr)
+        return done.stderr
+
+    def test_what_cannot_be_done_exits_with_1_and_says_why(self):
+        self.assertIn("plots.csv: cannot be read", self.refused())
+        self.write([])
+        self.assertIn("plots.csv: holds no usable plot", self.refused())
+        self.write(plots())
+        self.assertIn("no plot of radar c", self.refused("--radar", "c:6:0"))
+        self.assertIn("--radar a:x", self.refused("--radar", "a:x"))
+        self.assertIn("not in [0.5, 120]", self.refused("--radar", "a:0.1"))
+        self.assertIn("none.yaml", self.refused("--radar", "a:6:0", "--params", "none.yaml"))
+        self.write(plots()[:3])
+        self.assertIn("give --radar a:PERIOD_S:PHASE_DEG", self.refused("--radar", "a"))
+        with open(self.detections, "w") as file:
+            file.write("time,range\n1,2\n")
+        self.assertIn("plots.csv:1: the header", self.refused())
+
+    # If this fails, whoever reads the file gets wrong tracks, or none.
+    def test_one_aircraft_is_one_track(self):
+        for params in ("default", "nrl7952"):
+            rows, said = self.track(plots(), "--params", params)
+            self.assertIn("plots used          35", said)
+            firm = [row for row in rows if row[6] == "firm"]
+            self.assertEqual(len({row[1] for row in firm}), 1)
+            self.assertGreater(len(firm), 15)
+            self.assertEqual(rows[0][6], "tentative")
+            self.assertLessEqual({row[6] for row in rows}, {"tentative", "firm", "coasting"})
+            t, x, y, vx, vy = (float(firm[-1][i]) for i in (0, 2, 3, 4, 5))
+            self.assertAlmostEqual(x, 60e3 - 150 * t, delta=300)
+            self.assertAlmostEqual(y, 20e3 + 120 * t, delta=300)
+            self.assertAlmostEqual(vx, -150, delta=20)
+            self.assertAlmostEqual(vy, 120, delta=20)
+            times = [float(row[0]) for row in rows]
+            self.assertLess(max(a - b for a, b in zip(times, times[1:])), 1.0)  # in order, but for beams that cross
+
+    def test_a_track_without_plots_coasts_and_then_says_nothing(self):
+        # Another target, far away, keeps the file going for 400 s.
+        far = [f"{6 * i + 3:.1f},a,{i},{150e3 + 600 * i:.1f},180.0" for i in range(66)]
+        rows = sorted(plots() + far, key=lambda row: float(row.split(",")[0]))
+        tracks, _ = self.track(rows, "--params", "nrl7952")
+        firm = {row[1] for row in tracks if row[6] == "firm" and float(row[2]) > 10e3}
+        self.assertEqual(len(firm), 1)
+        own = [row for row in tracks if row[1] in firm]
+        self.assertEqual(own[-1][6], "coasting")
+        self.assertLess(float(own[-1][0]), 145)
+
+    def test_period_and_phase_are_found_from_the_plots(self):
+        clutter = [f"{6 * i + 6 * az / 360:.4f},a,{i},{20e3 + 500 * az:.0f},{az}" for i in range(20)
+                   for az in range(5, 360, 30)]
+        own = [row for row in plots() if row.split(",")[1] == "a"]
+        rows = sorted(own + clutter, key=lambda row: float(row.split(",")[0]))
+        _, said = self.track(rows, radars=("a",))
+        self.assertRegex(said, r"radar a +period (5\.99|6\.00)")
+
+    def test_radars_that_are_not_named_are_left_out_and_counted(self):
+        _, said = self.track(plots(), radars=("a:6:0",))
+        self.assertIn("15 plots of radar b", said)
+        self.assertIn("lines refused       15", said)
+
+    def test_bad_lines_are_named_and_the_rest_is_used(self):
+        _, said = self.track(plots() + ["1,a,0,none,3"])
+        self.assertIn("plots.csv:37: range_m is no number: 'none'", said)
+        self.assertIn("plots used          35", said)
+
+    # If this fails, a picture is made from plots that come later: no real-time system could have made it.
+    def test_epochs_use_only_what_was_there(self):
+        whole, _ = self.track(plots(), "--epochs", "5")
+        self.assertEqual({row[6] for row in whole} - {"firm", "coasting"}, set())
+        times = [float(row[0]) for row in whole]
+        self.assertTrue(all(t % 5 == 0 for t in times))
+        self.assertGreater(len(times), 12)
+        for row in whole:
+            self.assertAlmostEqual(float(row[2]), 60e3 - 150 * float(row[0]), delta=400)
+        cut = [row for row in plots() if float(row.split(",")[0]) <= 80]
+        until, _ = self.track(cut, "--epochs", "5")
+        last = max(float(row[0]) for row in until)
+        self.assertGreater(last, 70)
+        self.assertEqual(until, [row for row in whole if float(row[0]) <= last])
+
+    # If this fails, files whose time is that of the day or of the epoch 1970 take hours.
+    def test_epochs_begin_with_the_plots(self):
+        rows, _ = self.track(plots(start=1599999984), "--epochs", "5", radars=("a:6:0", "b:8:0"))
+        self.assertGreater(len(rows), 12)
+        self.assertGreater(float(rows[0][0]), 1599999984)
+
+    def test_the_same_input_gives_the_same_bytes(self):
+        first, _ = self.track(plots())
+        second, _ = self.track(plots())
+        self.assertEqual(first, second)
+
+    def test_at_capacity_tracks_are_refused_and_counted(self):
+        _, said = self.track(plots(), "--capacity", "2", "--params", "nrl7952")
+        self.assertRegex(said, r"tracks refused +\d+ \(capacity 2\)")
+
+
+if __name__ == "__main__":
+    unittest.main()
