@@ -85,11 +85,11 @@ void refuseDoubleKeys(const YAML::Node& node, const std::string& path) {
 
 }  // namespace
 
-ParameterReader::ParameterReader(YAML::Node tree, std::string where)
-    : ParameterReader(std::move(tree), std::move(where), "") {}
+ParameterReader::ParameterReader(const YAML::Node& tree, std::string where)
+    : ParameterReader(tree, std::move(where), "") {}
 
-ParameterReader::ParameterReader(YAML::Node tree, std::string where, std::string path)
-    : tree_(std::move(tree)), where_(std::move(where)), path_(std::move(path)) {
+ParameterReader::ParameterReader(const YAML::Node& tree, std::string where, std::string path)
+    : tree_(tree), where_(std::move(where)), path_(std::move(path)) {
   const bool empty = !tree_.IsDefined() || tree_.IsNull();
   if (!empty && !tree_.IsMap()) failAt(tree_, path_, "expected a map, found " + shown(tree_));
 }

@@ -21,7 +21,7 @@ namespace {
 
 class RosChannel : public Channel {
  public:
-  RosChannel(ros::Publisher publisher, const MessageType& type) : publisher_(std::move(publisher)), type_(type) {}
+  RosChannel(const ros::Publisher& publisher, const MessageType& type) : publisher_(publisher), type_(type) {}
   void publish(const boost::shared_ptr<const void>& message) override {
     publisher_.publish(boost::make_shared<AnyMessage>(AnyMessage{&type_, message}));
   }

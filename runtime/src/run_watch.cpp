@@ -8,7 +8,7 @@ namespace tws_runtime {
 namespace {
 
 /// Longer gaps are not bridged: the run goes on behind them.
-constexpr std::int64_t kLongestGap = 8 * tws::kSectors;
+constexpr std::int64_t kLongestGap = std::int64_t{8} * tws::kSectors;
 /// While the antenna's speed is unknown: no further apart than one turn, and no radar takes longer for it.
 constexpr double kLongestTurn = 60.0;  // [s]
 

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t kMostStrays = 8;
 constexpr double kDoNotWait = -std::numeric_limits<double>::infinity();
-constexpr std::int64_t kMemory = 8 * tws::kSectors;  // Sectors behind for which losses are remembered.
+constexpr std::int64_t kMemory = std::int64_t{8} * tws::kSectors;  // Sectors behind for which losses are remembered.
 
 std::string seconds(double time) {
   std::ostringstream text;
@@ -69,7 +69,7 @@ void SectorJoin::addMessage(Message message) {
   if (std::holds_alternative<SectorDetections>(message))
     store(crossing.running - 1, std::get<SectorDetections>(std::move(message)));
   else
-    store(crossing.running, std::get<SectorCrossing>(std::move(message)));
+    store(crossing.running, std::get<SectorCrossing>(message));
   watch_.take(crossing);
   release();
 }
@@ -121,15 +121,15 @@ void SectorJoin::goOnWith(const Message& message) {
   for (Message& each : agreeing) addMessage(std::move(each));
 }
 
-void SectorJoin::store(std::int64_t sector, SectorDetections detections) {
+void SectorJoin::store(std::int64_t sector, SectorDetections&& detections) {
   if (started_ && sector < next_) return refuse(lost_detections_, sector, "detections");
   if (!detections_.try_emplace(sector, std::move(detections)).second)
     events_.fault("duplicate messages", "detections of " + sectorText(sector));
 }
 
-void SectorJoin::store(std::int64_t entered, SectorCrossing mark) {
+void SectorJoin::store(std::int64_t entered, const SectorCrossing& mark) {
   if (started_ && entered <= next_) return refuse(lost_marks_, entered, "sector mark");
-  if (!marks_.try_emplace(entered, std::move(mark)).second)
+  if (!marks_.try_emplace(entered, mark).second)
     events_.fault("duplicate messages", "sector mark of " + sectorText(entered));
 }
 

@@ -60,7 +60,7 @@ class SectorJoin {
   SectorJoin(Options options, Events events);
 
   void add(SectorDetections detections) { addMessage(std::move(detections)); }
-  void add(SectorCrossing mark) { addMessage(std::move(mark)); }
+  void add(const SectorCrossing& mark) { addMessage(mark); }
   /// Begins a new run without an event: with what was held back because its time goes back, else with the next message.
   void beginNewRun();
   /// Newest time of the run [s]; nothing before its first message.
@@ -76,8 +76,8 @@ class SectorJoin {
   bool agree(const Message& a, const Message& b) const;
   Crossing crossingOf(const Message& message) const;
 
-  void store(std::int64_t sector, SectorDetections detections);
-  void store(std::int64_t entered, SectorCrossing mark);
+  void store(std::int64_t sector, SectorDetections&& detections);
+  void store(std::int64_t entered, const SectorCrossing& mark);
   void refuse(std::set<std::int64_t>& lost, std::int64_t number, const std::string& what);
 
   bool start();

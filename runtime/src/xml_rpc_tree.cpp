@@ -37,7 +37,7 @@ YAML::Node treeFromXmlRpc(XmlRpc::XmlRpcValue value, const std::string& where) {
       return tree;
     case XmlRpcValue::TypeStruct:
       tree = YAML::Node(YAML::NodeType::Map);
-      for (auto& [key, member] : value) tree[key] = treeFromXmlRpc(member, where + "/" + key);
+      for (auto& [key, member] : value) tree[key] = treeFromXmlRpc(member, std::string(where).append("/").append(key));
       return tree;
     case XmlRpcValue::TypeInvalid:
       return tree;

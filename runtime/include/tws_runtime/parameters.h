@@ -27,7 +27,7 @@ class ParameterError : public std::runtime_error {
 class ParameterReader {
  public:
   /// `where` starts every error line: the node's name, or the file's. Throws when the tree is neither a map nor empty.
-  ParameterReader(YAML::Node tree, std::string where);
+  ParameterReader(const YAML::Node& tree, std::string where);
 
   bool has(const std::string& key) const;
   /// All keys of the map in the order of the file, read or not. For maps whose keys are names.
@@ -56,7 +56,7 @@ class ParameterReader {
   [[noreturn]] void fail(const std::string& key, const std::string& reason) const;
 
  private:
-  ParameterReader(YAML::Node tree, std::string where, std::string path);
+  ParameterReader(const YAML::Node& tree, std::string where, std::string path);
   YAML::Node find(const std::string& key);
   [[noreturn]] void failAt(const YAML::Node& node, const std::string& path, const std::string& reason) const;
   std::string pathTo(const std::string& key) const;
