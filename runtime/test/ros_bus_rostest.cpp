@@ -7,10 +7,14 @@
 #include <tws_runtime/ros_bus.h>
 #include <tws_runtime/run.h>
 
+#include <sys/wait.h>
+
+#include <cstdio>
 #include <functional>
 #include <iostream>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "example_nodes.h"
@@ -202,6 +206,31 @@ TEST_F(RosBusTest, ATopicOfAnotherTypeIsRefused) {
   RosBus bus(own.handle);
   const auto publisher = bus.advertise<tws_msgs::Detections>("/typed");
   EXPECT_THROW(bus.advertise<std_msgs::Header>("/typed"), std::runtime_error);
+}
+
+/// What a program says and its exit status.
+std::pair<std::string, int> outcomeOf(const std::string& command) {
+  FILE* pipe = popen(("rosrun tws_runtime " + command + " 2>&1").c_str(), "r");
+  std::string said;
+  char buffer[256];
+  while (std::fgets(buffer, sizeof buffer, pipe)) said += buffer;
+  return {said, WEXITSTATUS(pclose(pipe))};
+}
+
+// If this fails, a node with a wrong parameter runs on all the same, or leaves its user to guess why it does not.
+TEST_F(RosBusTest, AWrongParameterStopsANodeWithOneLineAndStatusTwo) {
+  const auto [said, status] = outcomeOf("tws_runtime_test_relay __name:=wrong _gain:=1000");
+  EXPECT_EQ(said, "wrong: gain: 1000 is not in [1, 100]\n");
+  EXPECT_EQ(status, 2);
+}
+
+// If this fails, a run waits for ever for somebody who never comes, or gives up in silence.
+TEST_F(RosBusTest, ASourceGoesOnWithoutSubscribersAfterAWarningAndRunsAsFastAsPossible) {
+  ros::param::set("/lonely/live/wait_for", std::vector<std::string>{"/nobody"});
+  const std::string options = " _live/wait_timeout:=0.3 _live/rate:=0 _live/linger:=0.0";
+  const auto [said, status] = outcomeOf("tws_runtime_test_numbers __name:=lonely" + options);
+  EXPECT_NE(said.find("lonely: too few subscribers after 0.3 s: /nobody"), std::string::npos) << said;
+  EXPECT_EQ(status, 0);
 }
 
 }  // namespace
