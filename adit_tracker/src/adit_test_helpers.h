@@ -5,8 +5,13 @@
 #include <limits>
 #include <optional>
 #include <random>
+#include <set>
+#include <sstream>
 #include <string>
+#include <tuple>
 #include <vector>
+
+#include <gtest/gtest.h>
 
 #include <tws_core/angles.h>
 #include <tws_core/plot.h>
@@ -136,6 +141,104 @@ inline AditParams paramsFor(const std::string& set, const std::vector<double>& p
     params.radars.push_back(radar);
   }
   return params;
+}
+
+/// What the tracker said of one track in one sector.
+struct Word {
+  double sector_time;
+  std::size_t radar;
+  std::int64_t running;
+  std::uint32_t uid, number;
+  TrackEvent event;
+  bool believed;
+  Kinematics kinematics;
+};
+
+/// The tracker with all that it says.
+class Listener {
+ public:
+  explicit Listener(const AditParams& params) : adit(params, [this](const SectorReport& r) { hear(r); }) {}
+
+  void hear(const SectorReport& report) {
+    ++sectors;
+    for (const TrackWord& w : report.words) {
+      const Track& track = adit.tracks().at(w.slot);
+      words.push_back({report.enter_time, report.radar, report.running, track.uid, track.number, w.event,
+                       adit.believed(track), adit.at(w.slot, w.time).kinematics});
+    }
+  }
+
+  std::vector<Word> of(TrackEvent event) const {
+    std::vector<Word> result;
+    std::copy_if(words.begin(), words.end(), std::back_inserter(result),
+                 [&](const Word& w) { return w.event == event; });
+    return result;
+  }
+
+  /// Identities of tracks that were believed at any time.
+  std::set<std::uint32_t> believed() const {
+    std::set<std::uint32_t> uids;
+    for (const Word& w : words) {
+      if (w.believed) uids.insert(w.uid);
+    }
+    return uids;
+  }
+
+  /// Every bit of all that was said.
+  std::string bytes() const {
+    std::ostringstream out;
+    out << std::hexfloat;
+    for (const Word& w : words) {
+      const Kinematics& k = w.kinematics;
+      out << w.sector_time << ' ' << w.radar << ' ' << w.running << ' ' << w.uid << ' ' << w.number << ' '
+          << static_cast<int>(w.event) << ' ' << w.believed << ' ' << k.time << ' ' << k.range << ' ' << k.azimuth
+          << ' ' << k.range_rate << ' ' << k.azimuth_rate << ' ' << k.x << ' ' << k.y << ' ' << k.vx << ' ' << k.vy
+          << '\n';
+    }
+    return out.str();
+  }
+
+  std::vector<Word> words;
+  int sectors = 0;
+  Adit adit;
+};
+
+inline void feed(Adit& adit, const RadarSectors& radars, double skew, std::mt19937_64& generator) {
+  for (const auto& [radar, index] : arrivalOf(radars, skew, generator)) adit.add(radar, radars[radar][index]);
+}
+
+inline void feedInOrder(Adit& adit, const RadarSectors& radars) {
+  std::mt19937_64 generator(1);
+  std::vector<std::tuple<double, std::size_t, std::size_t>> order;
+  for (std::size_t r = 0; r < radars.size(); ++r) {
+    for (std::size_t i = 0; i < radars[r].size(); ++i) order.emplace_back(radars[r][i].leave_time, r, i);
+  }
+  std::sort(order.begin(), order.end());
+  for (const auto& [time, r, i] : order) adit.add(r, radars[r][i]);
+}
+
+/// Both sets on radars of 6 and 8 s.
+class BothSets : public testing::TestWithParam<std::string> {
+ protected:
+  AditParams params() const { return paramsFor(GetParam(), {6.0, 8.0}); }
+
+  RadarSectors twoRadars(double to, const std::vector<TestTarget>& targets) const {
+    RadarSectors radars = {first_.sectors(0.0, to), second_.sectors(0.0, to)};
+    for (const TestTarget& target : targets) {
+      first_.see(target, radars[0]);
+      second_.see(target, radars[1]);
+    }
+    return radars;
+  }
+
+  TestRadar first_{6.0}, second_{8.0, 0.5};
+};
+inline std::size_t plotsIn(const RadarSectors& radars) {
+  std::size_t count = 0;
+  for (const auto& sectors : radars) {
+    for (const auto& sector : sectors) count += sector.plots.size();
+  }
+  return count;
 }
 
 }  // namespace adit_tracker
