@@ -184,6 +184,13 @@ bool Adit::tellsErrors(const Track& track, const tws::Plot& plot) const {
          std::get<TurningFilter>(track.filter).straightProbability() > kSurelyStraight;
 }
 
+/// Is the track surely no clutter?
+bool Adit::clutterYieldsTo(const Track& track) const {
+  const Kinematics& k = track.smoothed;
+  return params_.clutter.yields_to_tracks && track.firm &&
+         k.vx * k.vx + k.vy * k.vy > params_.conversion.speed_up * params_.conversion.speed_up;
+}
+
 void Adit::update(const Executive::Turn& turn, TrackFile::Slot slot, Detection& detection) {
   Track& track = tracks_.at(slot);
   RadarQuality& quality = radarOf(turn).quality;
@@ -198,10 +205,11 @@ void Adit::update(const Executive::Turn& turn, TrackFile::Slot slot, Detection& 
   track.updated[turn.radar] = plot.time;
   track.illuminated[turn.radar] = unwrappedNear(plot.azimuth, turn.running);
   track.detected_by = static_cast<std::uint16_t>(track.detected_by | 1U << turn.radar);
-  if (judge_.updated(track, log_likelihood, quality)) ++counts_.tracks_firm;
-  if (track.firm && params_.clutter.yields_to_tracks && detection.claim != Detection::kNoClaim) {
-    clutterOf(turn.radar).disclaim(detection.claim);
-  }
+  // What a clutter point on probation claims is no evidence of movement: a tentative track waits for a better
+  // detection.
+  const bool disputed = params_.clutter.yields_to_tracks && detection.claim != Detection::kNoClaim;
+  if (judge_.updated(track, turn.radar, log_likelihood, quality, !disputed)) ++counts_.tracks_firm;
+  if (detection.claim != Detection::kNoClaim && clutterYieldsTo(track)) clutterOf(turn.radar).disclaim(detection.claim);
   report_.words.push_back({slot, TrackEvent::kUpdated, track.smoothed.time});
 }
 
@@ -212,7 +220,7 @@ void Adit::miss(const Executive::Turn& turn, TrackFile::Slot slot) {
   track.detected_by = static_cast<std::uint16_t>(track.detected_by & ~(1U << turn.radar));
   track.coasting = true;
   const double time = track.predicted.time;
-  if (judge_.missed(track, time)) {
+  if (judge_.missed(track, turn.radar, time)) {
     drop(slot, time);
   } else {
     report_.words.push_back({slot, TrackEvent::kCoasted, time});
@@ -287,6 +295,11 @@ bool Adit::startTrack(std::size_t radar, const tws::Plot& plot) {
   // Met in a sector that is behind the front or at most a few ahead of it.
   track.illuminated[radar] = unwrappedNear(plot.azimuth, executive_.front(radar));
   track.detected_by = static_cast<std::uint16_t>(1U << radar);
+  if (params_.conversion.from_start) {
+    track.reference_time = plot.time;
+    track.reference_range = plot.range;
+    track.reference_azimuth = plot.azimuth;
+  }
   predictNext(track);
   tracks_.place(*slot, tws::sectorOf(track.predicted.azimuth));
   ++counts_.tracks_started;

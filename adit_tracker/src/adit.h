@@ -81,6 +81,7 @@ class Adit {
   void mapClutter(const Executive::Turn& turn);
   void correlate(const Executive::Turn& turn);
   bool tellsErrors(const Track& track, const tws::Plot& plot) const;
+  bool clutterYieldsTo(const Track& track) const;
   void update(const Executive::Turn& turn, TrackFile::Slot slot, Detection& detection);
   void miss(const Executive::Turn& turn, TrackFile::Slot slot);
   void initiate(const Executive::Turn& turn);

@@ -101,7 +101,9 @@ AditParams AditParams::named(const std::string& name) {
   p.clutter.hits = 1;
   p.clutter.smoothing = 1.0;
   p.clutter.yields_to_tracks = false;
+  p.conversion.scans = 8;
   p.conversion.over_ground = false;
+  p.conversion.from_start = false;
   p.conversion.speed_up = tws::speedFromKnots(45.0);
   p.conversion.speed_down = tws::speedFromKnots(56.0);
   return p;

@@ -45,12 +45,13 @@ struct ClutterParams {
 
 /// Turning clutter points into tracks and tracks into clutter points, every eight scans of the reference radar.
 struct ConversionParams {
-  long scans = 8;
+  long scans = 4;  // the report's eight take a minute
   double speed_up =
       56.0 * tws::kMetresPerSecondPerKnot;  // VRMIN upwards: a faster clutter point becomes a track [m/s].
   double speed_down =
       45.0 * tws::kMetresPerSecondPerKnot;             // VRMIN downwards: a slower track becomes a clutter point [m/s].
   double azimuth_rate = 100.0 * tws::kAzimuthRateLsb;  // VAMIN [rad/s]
+  bool from_start = true;                              // A new track is compared with its first place already.
   bool over_ground = true;  // Judge the speed over ground, in place of range and azimuth rates apart.
 };
 
@@ -71,7 +72,7 @@ struct ExistenceParams {
   long firm_updates = 3;                  // … with at least so many detections,
   double moving_evidence = 2.0;           // and that much log-likelihood in favour of movement over a fixed place.
   double drop_probability = 0.001;        // A firm track is dropped below it,
-  double doubt_probability = 0.5;         // Below it, a firm track shows as tentative until it is detected again.
+  double doubt_probability = 0.3;         // Below it, a firm track shows as tentative until it is detected again.
   double tentative_drop_fraction = 0.03;  // a tentative one below this share of its first chance.
   double detection_probability = 0.85;    // Assumed of a new track; each track then learns its own.
   double survival_time = 400.0;           // Mean time that a target stays [s].

@@ -144,6 +144,7 @@ void readClutter(ParameterReader& reader, AditParams& p) {
   knots(v, "speed_down_kn", p.conversion.speed_down);
   degrees(v, "azimuth_rate_deg_per_s", p.conversion.azimuth_rate, 0.0, 100.0);
   v.flag("over_ground", p.conversion.over_ground);
+  v.flag("from_start", p.conversion.from_start);
   v.done();
 }
 

@@ -59,7 +59,8 @@ std::vector<double> valuesOf(const AditParams& p) {
                      c.gate.azimuth, c.gate.range_weight, c.gate.azimuth_weight, c.gate_sigmas,
                      static_cast<double>(c.hits), c.smoothing, static_cast<double>(c.yields_to_tracks)});
   v.insert(v.end(), {static_cast<double>(p.conversion.scans), p.conversion.speed_up, p.conversion.speed_down,
-                     p.conversion.azimuth_rate, static_cast<double>(p.conversion.over_ground)});
+                     p.conversion.azimuth_rate, static_cast<double>(p.conversion.over_ground),
+                     static_cast<double>(p.conversion.from_start)});
   return v;
 }
 

@@ -20,7 +20,9 @@ Detection* ClutterMap::nearest(const ClutterPoint& point, RadarState& radar, std
   double range_gate = params_.gate.range, azimuth_gate = params_.gate.azimuth;
   if (params_.gate_sigmas > 0.0) {
     range_gate = std::min(range_gate, params_.gate_sigmas * radar.quality.rangeSigma());
-    azimuth_gate = std::min(azimuth_gate, params_.gate_sigmas * radar.quality.azimuthSigma());
+    // Close by, where a reflector is larger than the beam's error, the region is as wide as it is deep.
+    azimuth_gate =
+        std::min(azimuth_gate, std::max(params_.gate_sigmas * radar.quality.azimuthSigma(), range_gate / point.range));
   }
   Detection* best = nullptr;
   double least = 0.0;

@@ -54,13 +54,14 @@ struct Track {
   std::uint16_t detected_by = 0;  // radars that detected it when they last had the chance: bits 1..3 of OUT
   std::int32_t updates = 0;       // detections used
   Prediction predicted;
-  Kinematics smoothed;                         // at the latest update
-  double first_time = 0.0;                     // TF
-  double last_update = 0.0;                    // TT
-  double last_illumination = 0.0;              // by any radar, detected or not
-  float existence = 1.0F;                      // chance that it follows a target
-  float first_existence = 1.0F;                // the same at its first detection
-  float detection_probability = 1.0F;          // as this track has shown so far
+  Kinematics smoothed;             // at the latest update
+  double first_time = 0.0;         // TF
+  double last_update = 0.0;        // TT
+  double last_illumination = 0.0;  // by any radar, detected or not
+  float existence = 1.0F;          // chance that it follows a target
+  float first_existence = 1.0F;    // the same at its first detection
+  std::array<float, kMaxRadars>
+      detection_probability;                   // by each radar, as this track has shown so far: radars fade apart
   std::array<double, kMaxRadars> updated;      // by each radar, TT12 and TT39; kNever
   std::array<double, kMaxRadars> illuminated;  // unwrapped azimuth at which each beam met it last, detected or not
   FixedPlace fixed;

@@ -11,8 +11,7 @@ constexpr float kGreatestChance = 0.99999F;
 constexpr float kDetectionGain = 0.1F;
 constexpr float kLeastDetection = 0.3F, kGreatestDetection = 0.97F;
 
-void learnDetection(Track& track, bool detected) {
-  float& p = track.detection_probability;
+void learnDetection(float& p, bool detected) {
   p = std::clamp(p + kDetectionGain * ((detected ? 1.0F : 0.0F) - p), kLeastDetection, kGreatestDetection);
 }
 
@@ -27,7 +26,7 @@ float weighed(float chance, double ratio) {
 void TrackJudge::started(Track& track, const RadarQuality& quality) const {
   const ExistenceParams& e = params_.existence;
   track.existence = track.first_existence = static_cast<float>(e.new_targets / (e.new_targets + quality.falsePlots()));
-  track.detection_probability = static_cast<float>(e.detection_probability);
+  track.detection_probability.fill(static_cast<float>(e.detection_probability));
   track.last_illumination = track.last_update;
 }
 
@@ -45,26 +44,27 @@ bool TrackJudge::deservesFirm(const Track& track) const {
          track.fixed.moving_evidence > e.moving_evidence;
 }
 
-bool TrackJudge::updated(Track& track, double log_likelihood, const RadarQuality& quality) const {
+bool TrackJudge::updated(Track& track, std::size_t radar, double log_likelihood, const RadarQuality& quality,
+                         bool may_become_firm) const {
   if (params_.life == TrackLife::kExistence) {
     age(track, track.last_update);
-    track.existence =
-        weighed(track.existence, track.detection_probability * std::exp(log_likelihood) / quality.falseDensity());
-    learnDetection(track, true);
+    track.existence = weighed(track.existence,
+                              track.detection_probability[radar] * std::exp(log_likelihood) / quality.falseDensity());
+    learnDetection(track.detection_probability[radar], true);
   }
-  if (track.firm || !deservesFirm(track)) return false;
+  if (track.firm || !may_become_firm || !deservesFirm(track)) return false;
   track.firm = true;
   return true;
 }
 
-bool TrackJudge::missed(Track& track, double time) const {
+bool TrackJudge::missed(Track& track, std::size_t radar, double time) const {
   if (params_.life == TrackLife::kTimers) {
     const double kept = track.firm ? params_.timers.drop_time : params_.timers.tentative_drop_time;
     return time - track.last_update > kept;
   }
   age(track, time);
-  track.existence = weighed(track.existence, 1.0 - track.detection_probability);
-  learnDetection(track, false);
+  track.existence = weighed(track.existence, 1.0 - track.detection_probability[radar]);
+  learnDetection(track.detection_probability[radar], false);
   const ExistenceParams& e = params_.existence;
   const double least = track.firm ? e.drop_probability : e.tentative_drop_fraction * track.first_existence;
   return track.existence < least;

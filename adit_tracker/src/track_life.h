@@ -15,9 +15,10 @@ class TrackJudge {
 
   void started(Track& track, const RadarQuality& quality) const;
   /// A detection with this log-likelihood [1/m²] was used. Returns true when the track has just become firm.
-  bool updated(Track& track, double log_likelihood, const RadarQuality& quality) const;
+  bool updated(Track& track, std::size_t radar, double log_likelihood, const RadarQuality& quality,
+               bool may_become_firm = true) const;
   /// The beam has passed at `time` and nothing was found. Returns true when the track is to be dropped.
-  bool missed(Track& track, double time) const;
+  bool missed(Track& track, std::size_t radar, double time) const;
 
   /// Firm, and not in doubt.
   bool believed(const Track& track) const {
