@@ -1,7 +1,7 @@
 // The node on its topics: two radars and their sites in, tracks, heartbeat and clutter map out.
 #include <gtest/gtest.h>
 #include <ros/ros.h>
-#include <tf2_ros/static_transform_broadcaster.h>
+#include <tf2_msgs/TFMessage.h>
 #include <tws_msgs/ClutterMap.h>
 #include <tws_msgs/Detections.h>
 #include <tws_msgs/SectorMark.h>
@@ -64,8 +64,10 @@ class AditRostest : public testing::Test {
     const boost::function<void(const tws_msgs::ClutterMap::ConstPtr&)> see = [](const auto& m) { clutter_ = *m; };
     const ros::Subscriber tracks = node.subscribe<tws_msgs::Tracks>("/adit/tracks", kUnbounded, hear);
     const ros::Subscriber clutter = node.subscribe<tws_msgs::ClutterMap>("/adit/clutter_map", kUnbounded, see);
-    tf2_ros::StaticTransformBroadcaster sites;
-    sites.sendTransform(std::vector<geometry_msgs::TransformStamped>{siteOf("sps12"), siteOf("sps39")});
+    const ros::Publisher sites = node.advertise<tf2_msgs::TFMessage>("/tf_static", 1, true);
+    tf2_msgs::TFMessage both;
+    both.transforms = {siteOf("sps12"), siteOf("sps39")};
+    sites.publish(both);
     ASSERT_TRUE(waitFor([&] {
       for (const Radar& radar : radars_) {
         if (radar.detections.getNumSubscribers() == 0 || radar.marks.getNumSubscribers() == 0) return false;
