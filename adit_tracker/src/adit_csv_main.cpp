@@ -21,7 +21,7 @@ namespace {
 struct Options {
   std::string detections, tracks, params = "default";
   std::vector<std::string> radars;
-  std::uint32_t capacity = 0;
+  std::uint32_t capacity = 0;  // 0: the parameter file's
   double epochs = 0.0;
 };
 
@@ -119,7 +119,7 @@ class Run {
  private:
   AditParams paramsOf(const Options& options, PlotTable& table) {
     AditParams params = loadAditParams(options.params);
-    params.capacity = options.capacity > 0 ? options.capacity : params.capacity;
+    if (options.capacity > 0) params.capacity = options.capacity;
     const std::map<std::string, RadarParams> given = byName(params.radars);
     params.radars.clear();
     for (const RadarSpec& spec : radarsOf(options, table)) {
@@ -203,7 +203,8 @@ int main(int argc, char** argv) {
   app.add_option("--radar", options.radars,
                  "ID[:PERIOD_S[:PHASE_DEG]], for each radar; what is left out is found from the plots");
   app.add_option("--params", options.params, "parameter set (default, nrl7952) or YAML file");
-  app.add_option("--capacity", options.capacity, "track numbers")->check(CLI::Range(2U, 1000001U));
+  app.add_option("--capacity", options.capacity, "track numbers; 100000 unless said here or in a parameter file")
+      ->check(CLI::Range(2U, 1000001U));
   app.add_option("--epochs", options.epochs, "write the picture at each multiple of so many seconds")
       ->check(CLI::PositiveNumber);
   try {
@@ -212,6 +213,8 @@ int main(int argc, char** argv) {
     return app.exit(error) == 0 ? 0 : 2;
   }
   try {
+    const bool named = options.params == "default" || options.params == "nrl7952";
+    if (options.capacity == 0 && named) options.capacity = 100000;
     adit_tracker::run(options);
   } catch (const std::exception& error) {
     std::cerr << "adit_csv: " << error.what() << '\n';

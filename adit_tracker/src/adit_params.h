@@ -43,7 +43,7 @@ struct ClutterParams {
   bool yields_to_tracks = true;  // A point on probation ends when a firm track uses its detection.
 };
 
-/// Turning clutter points into tracks and tracks into clutter points, every eight scans of the reference radar.
+/// Turning clutter points into tracks and tracks into clutter points, every few scans of the reference radar.
 struct ConversionParams {
   long scans = 4;  // the report's eight take a minute
   double speed_up =

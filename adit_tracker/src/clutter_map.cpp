@@ -26,16 +26,14 @@ Detection* ClutterMap::nearest(const ClutterPoint& point, RadarState& radar, std
   }
   Detection* best = nullptr;
   double least = 0.0;
+  const auto closest = [&](Detection& detection, double range_difference, double azimuth_difference) {
+    const double distance = effectiveDistance(params_.gate, range_difference, azimuth_difference);
+    if (best != nullptr && distance >= least) return;
+    best = &detection;
+    least = distance;
+  };
   for (std::int64_t sector = running - 1; sector <= running + 1; ++sector) {
-    const auto [first, last] = radar.detections.at(sector).inRange(point.range - range_gate, point.range + range_gate);
-    for (Detection* d = first; d != last; ++d) {
-      const double azimuth_difference = tws::angularDifference(d->plot.azimuth, point.azimuth);
-      if (d->used || std::abs(azimuth_difference) > azimuth_gate) continue;
-      const double distance = effectiveDistance(params_.gate, d->plot.range - point.range, azimuth_difference);
-      if (best != nullptr && distance >= least) continue;
-      best = d;
-      least = distance;
-    }
+    radar.detections.at(sector).near(point.range, point.azimuth, range_gate, azimuth_gate, closest);
   }
   return best;
 }

@@ -39,22 +39,25 @@ std::size_t Correlator::smallestGate(const Track& track, double range_difference
   return g;
 }
 
+/// The half-widths of the largest region.
+Correlator::Reach Correlator::reachOf(const Prediction& p) const {
+  if (params_.gates == GateKind::kFixed) return {params_.track_gates.back().range, params_.track_gates.back().azimuth};
+  return {params_.gate_sigmas * std::sqrt(p.innovation.xx + p.manoeuvre),
+          params_.gate_sigmas * std::sqrt(p.innovation.yy + p.manoeuvre) / p.range};
+}
+
 void Correlator::gather(const Track& track, TrackFile::Slot slot, bool primary, RadarState& radar,
                         std::int64_t sector) {
   const Prediction& p = track.predicted;
-  double range_gate = params_.track_gates.back().range;
-  if (params_.gates == GateKind::kStatistical)
-    range_gate = params_.gate_sigmas * std::sqrt(p.innovation.xx + p.manoeuvre);
+  const Reach reach = reachOf(p);
   Entry entry{slot, primary, false, candidates_.size(), 0};
+  const auto consider = [&](Detection& detection, double range_difference, double azimuth_difference) {
+    double distance = 0.0;
+    const std::size_t gate = smallestGate(track, range_difference, azimuth_difference, distance);
+    if (gate < kGates) candidates_.push_back({&detection, distance, gate});
+  };
   for (std::int64_t s = sector - 1; s <= sector + 1; ++s) {
-    const auto [first, last] = radar.detections.at(s).inRange(p.range - range_gate, p.range + range_gate);
-    for (Detection* d = first; d != last; ++d) {
-      if (d->used) continue;
-      double distance = 0.0;
-      const std::size_t gate =
-          smallestGate(track, d->plot.range - p.range, tws::angularDifference(d->plot.azimuth, p.azimuth), distance);
-      if (gate < kGates) candidates_.push_back({d, distance, gate});
-    }
+    radar.detections.at(s).near(p.range, p.azimuth, reach.range, reach.azimuth, consider);
   }
   entry.last = candidates_.size();
   if (entry.last > entry.first) entries_.push_back(entry);

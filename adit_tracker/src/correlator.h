@@ -43,6 +43,11 @@ class Correlator {
     std::size_t first, last;  // its candidates
   };
 
+  struct Reach {
+    double range, azimuth;
+  };
+
+  Reach reachOf(const Prediction& prediction) const;
   void gather(const Track& track, TrackFile::Slot slot, bool primary, RadarState& radar, std::int64_t sector);
   /// The smallest region that holds the detection, and its distance; kGates: none.
   std::size_t smallestGate(const Track& track, double range_difference, double azimuth_difference,

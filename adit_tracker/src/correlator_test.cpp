@@ -53,8 +53,9 @@ class CorrelatorTest : public testing::Test {
   }
 
   bool used(std::int64_t sector, double range) {
-    const auto [first, last] = radar_.detections.at(64 * turn_ + sector).inRange(range, range);
-    return first != last && first->used;
+    const auto& detections = radar_.detections.at(64 * turn_ + sector).detections;
+    return std::any_of(detections.begin(), detections.end(),
+                       [&](const Detection& d) { return d.plot.range == range && d.used; });
   }
 
   using Result = std::map<TrackFile::Slot, double>;

@@ -18,8 +18,10 @@ DetectionSector& DetectionFile::add(const tws::RadarSector& sector) {
   std::sort(slot.detections.begin(), slot.detections.end(), [](const Detection& a, const Detection& b) {
     return std::tie(a.plot.range, a.plot.time, a.plot.azimuth) < std::tie(b.plot.range, b.plot.time, b.plot.azimuth);
   });
-  slot.ranges.clear();
-  for (const Detection& detection : slot.detections) slot.ranges.push_back(detection.plot.range);
+  slot.places.clear();
+  for (const Detection& detection : slot.detections) {
+    slot.places.push_back({detection.plot.range, detection.plot.azimuth});
+  }
   return slot;
 }
 

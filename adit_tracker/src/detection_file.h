@@ -1,10 +1,11 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
-#include <utility>
 #include <vector>
 
+#include <tws_core/angles.h>
 #include <tws_core/plot.h>
 
 namespace adit_tracker {
@@ -20,19 +21,27 @@ struct Detection {
 
 /// The detections of one sector of one radar, by range.
 struct DetectionSector {
+  struct Place {
+    double range, azimuth;
+  };
+
   std::int64_t running = -1;
   double enter_time = 0.0, leave_time = 0.0;
   std::vector<Detection> detections;  // in order of range
-  std::vector<double> ranges;         // the same ranges, side by side for the search
+  std::vector<Place> places;          // theirs, side by side for the search
 
-  /// The detections with from ≤ range ≤ to. Cost: logarithm of the number in the sector.
-  std::pair<Detection*, Detection*> inRange(double from, double to) {
-    const double* const begin = ranges.data();
-    const double* const end = begin + ranges.size();
-    const double* const first = std::lower_bound(begin, end, from);
-    const double* last = first;
-    while (last != end && *last <= to) ++last;
-    return {detections.data() + (first - begin), detections.data() + (last - begin)};
+  /// Calls `take(detection, range difference, azimuth difference)` for each unused detection within the half-widths [m,
+  /// rad] of a place. Cost: logarithm of the number in the sector, and those within the range.
+  template <class Take>
+  void near(double range, double azimuth, double range_gate, double azimuth_gate, const Take& take) {
+    const auto shorter = [](const Place& place, double value) { return place.range < value; };
+    auto place = std::lower_bound(places.begin(), places.end(), range - range_gate, shorter);
+    for (; place != places.end() && place->range <= range + range_gate; ++place) {
+      const double azimuth_difference = tws::angularDifference(place->azimuth, azimuth);
+      if (std::abs(azimuth_difference) > azimuth_gate) continue;
+      Detection& detection = detections[static_cast<std::size_t>(place - places.begin())];
+      if (!detection.used) take(detection, place->range - range, azimuth_difference);
+    }
   }
 };
 

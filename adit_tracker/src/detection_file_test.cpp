@@ -7,7 +7,7 @@
 namespace adit_tracker {
 namespace {
 
-tws::RadarSector sectorWith(std::int64_t running, const std::vector<double>& ranges) {
+tws::RadarSector sectorWith(std::int64_t running, const std::vector<double>& ranges, double azimuth_step = 0.0) {
   tws::RadarSector sector;
   sector.running = running;
   sector.enter_time = static_cast<double>(running);
@@ -15,6 +15,7 @@ tws::RadarSector sectorWith(std::int64_t running, const std::vector<double>& ran
   for (const double range : ranges) {
     tws::Plot plot;
     plot.range = range;
+    plot.azimuth = tws::wrapTwoPi(azimuth_step * static_cast<double>(sector.plots.size()));
     plot.time = sector.enter_time + 0.001 * static_cast<double>(sector.plots.size());
     sector.plots.push_back(plot);
   }
@@ -27,17 +28,25 @@ TEST(DetectionSector, FindsTheSameAsAWalkThroughAll) {
   DetectionFile file;
   for (std::int64_t running = 0; running < 200; ++running) {
     std::vector<double> ranges(static_cast<std::size_t>(tws::uniformInt(generator, 0, 30)));
-    for (double& r : ranges) r = tws::uniformInt(generator, 1, 40);  // Coarse: many are equal.
-    DetectionSector& sector = file.add(sectorWith(running, ranges));
+    for (double& r : ranges) r = tws::uniformInt(generator, 1, 40);          // Coarse: many are equal.
+    DetectionSector& sector = file.add(sectorWith(running, ranges, -0.01));  // From north anticlockwise.
     ASSERT_EQ(sector.detections.size(), ranges.size());
-    const double from = tws::uniformInt(generator, -5, 45), to = from + tws::uniformInt(generator, -2, 20);
-    const auto inside = std::count_if(ranges.begin(), ranges.end(), [&](double r) { return r >= from && r <= to; });
-    const auto [first, last] = sector.inRange(from, to);
-    ASSERT_EQ(last - first, inside);
-    for (Detection* d = first; d != last; ++d) {
-      ASSERT_GE(d->plot.range, from);
-      ASSERT_LE(d->plot.range, to);
-    }
+    for (std::size_t i = 0; i < sector.detections.size(); i += 3) sector.detections[i].used = true;
+    const double range = tws::uniformInt(generator, -5, 45), range_gate = tws::uniformInt(generator, 0, 10);
+    const double azimuth = 0.01 * tws::uniformInt(generator, 0, 20), azimuth_gate = 0.125;
+    const auto inside = [&](const Detection& d) {
+      return !d.used && std::abs(d.plot.range - range) <= range_gate &&
+             std::abs(tws::angularDifference(d.plot.azimuth, azimuth)) <= azimuth_gate;
+    };
+    const auto expected = std::count_if(sector.detections.begin(), sector.detections.end(), inside);
+    std::ptrdiff_t found = 0;
+    sector.near(range, azimuth, range_gate, azimuth_gate, [&](Detection& d, double dr, double da) {
+      ++found;
+      EXPECT_TRUE(inside(d));
+      EXPECT_EQ(dr, d.plot.range - range);
+      EXPECT_EQ(da, tws::angularDifference(d.plot.azimuth, azimuth));
+    });
+    ASSERT_EQ(found, expected);
   }
 }
 
