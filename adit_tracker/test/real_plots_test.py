@@ -1,0 +1,73 @@
+#!/usr/bin/env python3
+"""adit_csv on recorded plots: real_plots_test.py PATH_OF_ADIT_CSV. Needs the folder that TWS_SHARED names, else it is skipped.
+
+The limits are what others reach on the same plots, not what we measured; README.md has our figures.
+"""
+import collections
+import csv
+import json
+import math
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+
+ADIT_CSV = sys.argv.pop(1)
+SHARED = os.environ.get("TWS_SHARED", "")
+# GOSPA [m] of constant-velocity Kalman filters with perfect association on the same plots.
+PERFECT_ASSOCIATION = {"n10": 816.0, "n60": 2361.0, "n250": 5220.0}
+
+
+def track(detections, *arguments):
+    """The rows that adit_csv writes."""
+    with tempfile.TemporaryDirectory() as folder:
+        tracks = os.path.join(folder, "tracks.csv")
+        subprocess.run([ADIT_CSV, "--detections", detections, "--tracks", tracks, *arguments], check=True, timeout=300,
+                       stderr=subprocess.DEVNULL)
+        with open(tracks) as file:
+            return list(csv.DictReader(file))
+
+
+@unittest.skipUnless(SHARED, "TWS_SHARED is not set")
+class RealPlots(unittest.TestCase):
+    # If this fails, a user does better with filters from a textbook and a list of who is who.
+    def test_simulated_plots_are_tracked_better_than_by_plain_filters_that_know_the_association(self):
+        bench = os.path.join(SHARED, "bench")
+        for name, limit in PERFECT_ASSOCIATION.items():
+            with self.subTest(name), tempfile.TemporaryDirectory() as folder:
+                rows = track(f"{bench}/{name}/det_rot.csv", "--radar", "0:6:0", "--radar", "1:8:90", "--epochs", "5")
+                picture = os.path.join(folder, "picture.csv")
+                with open(picture, "w") as file:
+                    writer = csv.writer(file)
+                    writer.writerow(list(rows[0])[:6])
+                    writer.writerows(list(row.values())[:6] for row in rows)
+                score = [sys.executable, f"{bench}/score.py", f"{bench}/{name}/truth.csv", picture, "--from", "60", "--json"]
+                done = subprocess.run(score, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, timeout=300)
+                if "No module named" in done.stderr:
+                    self.skipTest("the scorer needs numpy and scipy")
+                self.assertLess(json.loads(done.stdout)["gospa_m"], limit)
+
+    # If this fails, aircraft that a real radar reports lose their tracks, or its fixed monitors become aircraft.
+    def test_the_aircraft_of_a_real_radar_have_tracks_and_its_site_monitors_have_none(self):
+        plots = f"{SHARED}/data/asterix_msr_canalA/plots.csv"
+        at = collections.defaultdict(list)  # the identity, which the tracker must not read, is for scoring only
+        with open(plots) as file:
+            for row in csv.DictReader(file):
+                azimuth, reach = math.radians(float(row["az_deg"])), float(row["range_m"])
+                at[row["t_s"]].append((reach * math.sin(azimuth), reach * math.cos(azimuth), row["mode3a"]))
+        codes = collections.Counter(code for group in at.values() for _, _, code in group)
+        firm = collections.Counter()
+        for row in track(plots):
+            group = at.get(row["t_s"], [])
+            if row["status"] == "firm" and group:
+                x, y = float(row["x_m"]), float(row["y_m"])
+                firm[min(group, key=lambda p: math.hypot(p[0] - x, p[1] - y))[2]] += 1
+        aircraft = [code for code, count in codes.items() if count >= 20 and code != "7777"]
+        share = sum(firm[code] for code in aircraft) / sum(codes[code] for code in aircraft)
+        self.assertGreater(share, 0.97)  # the probability of update that surveillance standards ask for en route
+        self.assertEqual(firm["7777"], 0)
+
+
+if __name__ == "__main__":
+    unittest.main()
