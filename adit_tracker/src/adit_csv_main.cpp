@@ -57,6 +57,7 @@ RadarSpec parseRadar(const std::string& text) {
 tws::Rotation rotationOf(const RadarSpec& spec, const std::vector<tws::Plot>& plots) {
   if (!std::isnan(spec.phase)) return tws::Rotation::uniform(spec.period, spec.phase);
   std::vector<tws::TimedAzimuth> points;
+  points.reserve(plots.size());
   for (const tws::Plot& plot : plots) points.push_back({plot.time, plot.azimuth});
   try {
     return spec.period > 0.0 ? tws::Rotation::fromPlots(points, spec.period) : tws::Rotation::fromPlots(points);

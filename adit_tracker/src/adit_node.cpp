@@ -51,7 +51,7 @@ std::vector<tws_runtime::RadarTopics> topicsOf(const AditParams& params) {
 
 // Radars further apart than this do not see a target in the same polar coordinates.
 constexpr double kSameSite = 100.0;  // [m]
-// Sectors of a radar that wait for its site: two turns.
+// Sectors that wait for the radars' sites: two turns of one radar.
 constexpr std::size_t kMostWaiting = 2 * tws::kSectors;
 
 }  // namespace
@@ -63,7 +63,6 @@ class AditNode::Impl {
         params_(readNodeParams(bus)),
         tracks_(bus.advertise<tws_msgs::Tracks>("/" + bus.name() + "/tracks")),
         clutter_(bus.advertise<tws_msgs::ClutterMap>("/" + bus.name() + "/clutter_map", true)),
-        waiting_(params_.adit.radars.size()),
         sites_(params_.adit.radars.size()),
         inputs_(
             bus, topicsOf(params_.adit), params_.inputs,
@@ -75,23 +74,28 @@ class AditNode::Impl {
  private:
   /// A new run: nothing of the old one stays, but for the sites.
   void begin() {
-    for (auto& queue : waiting_) queue.clear();
+    waiting_.clear();
     totals_ = AditCounts{};
     adit_.emplace(params_.adit, [this](const SectorReport& report) { publish(report); });
   }
 
+  /// Sectors wait, in the order in which they came, until the sites of their radars are known: what comes out does not
+  /// depend on when a transform arrives.
   void onSector(std::size_t radar, tws::RadarSector sector) {
-    waiting_[radar].push_back(std::move(sector));
-    if (!sites_[radar] && !findSite(radar)) return;
-    while (!waiting_[radar].empty()) {
-      if (sites_[radar]->usable) adit_->add(radar, std::move(waiting_[radar].front()));
-      waiting_[radar].pop_front();
+    waiting_.emplace_back(radar, std::move(sector));
+    const bool patient = waiting_.size() <= kMostWaiting;
+    for (const auto& [waiting, unused] : waiting_) {
+      if (!sites_[waiting] && !findSite(waiting, patient)) return;
     }
+    for (auto& [ready, its_sector] : waiting_) {
+      if (sites_[ready]->usable) adit_->add(ready, std::move(its_sector));
+    }
+    waiting_.clear();
     countTroubles();
   }
 
   /// False: the radar's sectors wait for its site.
-  bool findSite(std::size_t radar) {
+  bool findSite(std::size_t radar, bool patient) {
     const std::string& frame = inputs_.frame(radar);
     std::string why;
     if (bus_.transforms().canTransform(params_.frame, frame, ros::Time(0), &why)) {
@@ -99,7 +103,7 @@ class AditNode::Impl {
       settle(radar, transform.transform.translation.x, transform.transform.translation.y);
       return true;
     }
-    if (waiting_[radar].size() <= kMostWaiting) return false;
+    if (patient) return false;
     bus_.counter("unknown sites")
         .add("no transform from " + frame + " to " + params_.frame + "; taken as its origin: " + why);
     settle(radar, 0.0, 0.0);
@@ -165,7 +169,7 @@ class AditNode::Impl {
   NodeParams params_;
   tws_runtime::Publisher<tws_msgs::Tracks> tracks_;
   tws_runtime::Publisher<tws_msgs::ClutterMap> clutter_;
-  std::vector<std::deque<tws::RadarSector>> waiting_;
+  std::deque<std::pair<std::size_t, tws::RadarSector>> waiting_;
   std::vector<std::optional<Site>> sites_;
   std::optional<Site> origin_;
   std::uint32_t sequence_ = 0;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <tws_core/angles.h>
 #include <tws_core/units.h>
@@ -28,10 +29,11 @@ Polygon symbolOf(TrackState state, const PpiStyle& style) {
   return {4, 0.8 * style.symbol, 0.0};
 }
 
-// A tentative track shows its name only: many of them are false.
+// A tentative track shows its name only: many of them are false. One that does not move yet, a single detection, shows
+// nothing: most of these are false, and their numbers would fill the picture.
 std::string labelText(const TrackReport& report) {
   std::string text = report.name;
-  if (report.state == TrackState::kTentative) return text;
+  if (report.state == TrackState::kTentative) return report.velocity.isZero() ? std::string() : text;
   const double speed = report.velocity.norm();
   if (std::isfinite(speed)) text += "\n" + std::to_string(std::lround(tws::knotsFromSpeed(speed))) + "kn";
   if (!report.identity.empty()) text += "\n" + report.identity;
@@ -93,16 +95,20 @@ void TrackPicture::drawSymbol(Drawing& drawing, const TrackReport& report, const
 
 void TrackPicture::drawLabels(Drawing& drawing, const PpiStyle& style) {
   std::vector<LabelRequest> requests;
-  for (const auto& [key, track] : tracks_)
-    requests.push_back({track.report.position, textSize(labelText(track.report), style.small_text), 1.4 * style.symbol,
-                        track.side.value_or(favouredSide(track.report))});
-  const std::vector<int> sides = placeLabels(requests);
-  std::size_t i = 0;
+  std::vector<std::pair<LivingTrack*, std::string>> labelled;
   for (auto& [key, track] : tracks_) {
+    std::string text = labelText(track.report);
+    if (text.empty()) continue;
+    requests.push_back({track.report.position, textSize(text, style.small_text), 1.4 * style.symbol,
+                        track.side.value_or(favouredSide(track.report))});
+    labelled.emplace_back(&track, std::move(text));
+  }
+  const std::vector<int> sides = placeLabels(requests);
+  for (std::size_t i = 0; i < labelled.size(); ++i) {
+    LivingTrack& track = *labelled[i].first;
     track.side = sides[i];
-    drawing.labels.push_back({track.label, labelCentre(requests[i], sides[i]), style.small_text,
-                              labelText(track.report), colorOf(track.report.state, style)});
-    ++i;
+    drawing.labels.push_back({track.label, labelCentre(requests[i], sides[i]), style.small_text, labelled[i].second,
+                              colorOf(track.report.state, style)});
   }
 }
 

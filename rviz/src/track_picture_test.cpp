@@ -67,6 +67,15 @@ TEST(TrackPicture, ATentativeTrackShowsItsNumberOnly) {
   EXPECT_EQ(drawn(tracks, 100.0).labels.at(0).text, "17");
 }
 
+// If this fails, the numbers of false plots hide the aircraft.
+TEST(TrackPicture, ASingleDetectionHasNoLabel) {
+  TrackPicture tracks(kLook);
+  TrackReport single = report(17, TrackState::kTentative, 100.0);
+  single.velocity.setZero();
+  tracks.hear(single);
+  EXPECT_TRUE(drawn(tracks, 100.0).labels.empty());
+}
+
 // The operator must see at once which tracks are believed and which are guessed.
 TEST(TrackPicture, TheThreeStatesDifferInShapeAndColour) {
   std::set<std::size_t> sizes;
