@@ -42,7 +42,7 @@ std::string progressLine(const RunSummary& summary, double length, double wall_t
   line += " s simulated";
   if (length > 0.0) line += " (" + std::to_string(std::lround(100.0 * done / length)) + " %)";
   line += ", " + std::to_string(summary.livingTracks()) + " tracks, " +
-          std::to_string(std::lround(summary.plots() / wall_time)) + " plots/s";
+          std::to_string(std::lround(static_cast<double>(summary.plots()) / wall_time)) + " plots/s";
   if (length > done && done > 0.0)
     line += ", " + std::to_string(std::lround(wall_time * (length - done) / done)) + " s left";
   return line;

@@ -114,7 +114,8 @@ void RunSummary::printRadars(std::ostream& out) const {
   printRow(out, "radar", "sectors", "plots", "plots/s");
   for (const auto& [name, radar] : radars_) {
     const double time = simulatedTime();
-    printRow(out, name, radar.sectors, radar.plots, time > 0.0 ? oneDecimal(radar.plots / time) : "-");
+    printRow(out, name, radar.sectors, radar.plots,
+             time > 0.0 ? oneDecimal(static_cast<double>(radar.plots) / time) : "-");
   }
 }
 

@@ -1,21 +1,20 @@
+#include <CLI/CLI.hpp>
 #include <iostream>
 
+#include "command_line.h"
 #include "run_input.h"
 
-// For ./tws: what the launch files want to be told of a scenario or bag, as roslaunch arguments, one a line.
 int main(int argc, char** argv) {
-  if (argc != 2) {
-    std::cerr << "usage: tws_inspect SCENARIO.yaml|RUN.bag" << std::endl;
-    return 2;
-  }
-  try {
-    const tws_launch::RunInput input = tws_launch::inspectInput(argv[1]);
+  return tws_launch::guarded("tws_inspect", [&] {
+    CLI::App app("Says what the launch files want to know of a scenario or bag, as arguments for them, one a line.",
+                 "tws_inspect");
+    std::string path;
+    app.add_option("input", path, "scenario (YAML) or recorded run (*.bag)")->required()->check(CLI::ExistingFile);
+    if (const auto status = tws_launch::parse(app, argc, argv)) return *status;
+    const tws_launch::RunInput input = tws_launch::inspectInput(path);
     std::cout << "radars:=";
-    for (std::size_t i = 0; i < input.radars.size(); ++i) std::cout << (i ? " " : "") << input.radars[i];
+    for (std::size_t i = 0; i < input.radars.size(); ++i) std::cout << (i > 0 ? " " : "") << input.radars[i];
     std::cout << "\nlength:=" << input.length << std::endl;
     return 0;
-  } catch (const std::exception& error) {
-    std::cerr << "tws_inspect: " << error.what() << std::endl;
-    return 1;
-  }
+  });
 }

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <iostream>
 
+#include "command_line.h"
 #include "offline_graph.h"
 #include "run_input.h"
 
@@ -18,7 +19,7 @@ struct Options {
   std::string input;
   std::string out = ".";
   std::string params = "default";
-  std::optional<long> seed;
+  std::optional<std::uint64_t> seed;
   std::optional<double> duration;
 };
 
@@ -56,28 +57,20 @@ void run(const Options& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  Options options;
-  CLI::App app("Runs the whole graph in one process, without a ROS master, as fast as it goes.");
-  app.add_option("input", options.input, "scenario (YAML) or recorded run (*.bag)")
-      ->required()
-      ->check(CLI::ExistingFile);
-  app.add_option("--out", options.out, "folder for run.bag");
-  app.add_option("--params", options.params, "parameter set of the ADIT tracker: default or nrl7952");
-  app.add_option("--seed", options.seed, "of the random numbers, in place of the scenario's")
-      ->check(CLI::NonNegativeNumber);
-  app.add_option("--duration", options.duration, "stop after so much data time [s]")->check(CLI::PositiveNumber);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
-  }
-  std::signal(SIGINT, [](int) { interrupted = 1; });
-  std::signal(SIGTERM, [](int) { interrupted = 1; });
-  try {
+  return tws_launch::guarded("tws_offline", [&] {
+    Options options;
+    CLI::App app("Runs the whole graph in one process, without a ROS master, as fast as it goes.", "tws_offline");
+    app.add_option("input", options.input, "scenario (YAML) or recorded run (*.bag)")
+        ->required()
+        ->check(CLI::ExistingFile);
+    app.add_option("--out", options.out, "folder for run.bag");
+    app.add_option("--params", options.params, "parameter set of the ADIT tracker: default or nrl7952");
+    app.add_option("--seed", options.seed, "of the random numbers, in place of the scenario's");
+    app.add_option("--duration", options.duration, "stop after so much data time [s]")->check(CLI::Range(1e-3, 1e9));
+    if (const auto status = tws_launch::parse(app, argc, argv)) return *status;
+    std::signal(SIGINT, [](int) { interrupted = 1; });
+    std::signal(SIGTERM, [](int) { interrupted = 1; });
     run(options);
     return interrupted ? 130 : 0;
-  } catch (const std::exception& error) {
-    std::cerr << "tws_offline: " << error.what() << std::endl;
-    return 1;
-  }
+  });
 }
