@@ -6,6 +6,7 @@
 #include <csignal>
 #include <filesystem>
 #include <iostream>
+#include <limits>
 
 #include "command_line.h"
 #include "offline_graph.h"
@@ -19,7 +20,7 @@ struct Options {
   std::string input;
   std::string out = ".";
   std::string params = "default";
-  std::optional<std::uint64_t> seed;
+  std::optional<std::int64_t> seed;
   std::optional<double> duration;
 };
 
@@ -65,7 +66,8 @@ int main(int argc, char** argv) {
         ->check(CLI::ExistingFile);
     app.add_option("--out", options.out, "folder for run.bag");
     app.add_option("--params", options.params, "parameter set of the ADIT tracker: default or nrl7952");
-    app.add_option("--seed", options.seed, "of the random numbers, in place of the scenario's");
+    app.add_option("--seed", options.seed, "of the random numbers, in place of the scenario's")
+        ->check(CLI::Range(std::int64_t{0}, std::numeric_limits<std::int64_t>::max()));
     app.add_option("--duration", options.duration, "stop after so much data time [s]")->check(CLI::Range(1e-3, 1e9));
     if (const auto status = tws_launch::parse(app, argc, argv)) return *status;
     std::signal(SIGINT, [](int) { interrupted = 1; });
