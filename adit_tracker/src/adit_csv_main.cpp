@@ -1,7 +1,9 @@
 // Plots in a CSV file → tracks in a CSV file, without ROS. See README.md.
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <limits>
@@ -184,6 +186,9 @@ void run(const Options& options) {
   PlotTable table = readPlots(input, options.detections);
   for (const std::string& complaint : table.complaints) std::cerr << complaint << '\n';
   if (table.plots == 0) throw std::runtime_error(options.detections + ": holds no usable plot");
+  if (std::filesystem::exists(options.tracks) && std::filesystem::equivalent(options.tracks, options.detections)) {
+    throw std::runtime_error(options.tracks + ": is the file of plots itself");
+  }
   std::ofstream output(options.tracks);
   if (!output) throw std::runtime_error(options.tracks + ": cannot be written");
   Run tracker(options, table, output);

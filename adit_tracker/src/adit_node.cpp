@@ -35,6 +35,9 @@ NodeParams readNodeParams(Bus& bus) {
   reader.number("wait_limit_s", params.inputs.wait_limit, 0.0, 60.0);
   reader.number("restart_limit_s", params.inputs.restart_limit, 0.5, 3600.0);
   reader.done();
+  if (params.inputs.wait_limit >= params.adit.skew_limit) {
+    reader.fail("wait_limit_s", "must be less than skew_limit_s, or what replaces lost messages comes too late");
+  }
   try {
     check(params.adit);
   } catch (const std::invalid_argument& error) {
@@ -63,7 +66,7 @@ class AditNode::Impl {
         params_(readNodeParams(bus)),
         tracks_(bus.advertise<tws_msgs::Tracks>("/" + bus.name() + "/tracks")),
         clutter_(bus.advertise<tws_msgs::ClutterMap>("/" + bus.name() + "/clutter_map", true)),
-        sites_(params_.adit.radars.size()),
+        usable_(params_.adit.radars.size()),
         inputs_(
             bus, topicsOf(params_.adit), params_.inputs,
             [this](std::size_t radar, tws::RadarSector sector) { onSector(radar, std::move(sector)); },
@@ -80,44 +83,57 @@ class AditNode::Impl {
   }
 
   /// Sectors wait, in the order in which they came, until the sites of their radars are known: what comes out does not
-  /// depend on when a transform arrives.
+  /// depend on when a transform arrives, nor on which radar is heard first.
   void onSector(std::size_t radar, tws::RadarSector sector) {
     waiting_.emplace_back(radar, std::move(sector));
     const bool patient = waiting_.size() <= kMostWaiting;
+    if (!origin_ && !findOrigin(patient)) return;
     for (const auto& [waiting, unused] : waiting_) {
-      if (!sites_[waiting] && !findSite(waiting, patient)) return;
+      if (!usable_[waiting] && !findSite(waiting, patient)) return;
     }
     for (auto& [ready, its_sector] : waiting_) {
-      if (sites_[ready]->usable) adit_->add(ready, std::move(its_sector));
+      if (*usable_[ready]) adit_->add(ready, std::move(its_sector));
     }
     waiting_.clear();
     countTroubles();
   }
 
-  /// False: the radar's sectors wait for its site.
-  bool findSite(std::size_t radar, bool patient) {
-    const std::string& frame = inputs_.frame(radar);
+  std::optional<Site> siteOf(std::size_t radar, std::string& why) const {
+    // Before its first message a radar's frame is taken to have its name.
+    const std::string& heard = inputs_.frame(radar);
+    const std::string& frame = heard.empty() ? params_.adit.radars[radar].name : heard;
+    if (!bus_.transforms().canTransform(params_.frame, frame, ros::Time(0), &why)) return std::nullopt;
+    const auto transform = bus_.transforms().lookupTransform(params_.frame, frame, ros::Time(0)).transform;
+    const auto& q = transform.rotation;
+    return Site{transform.translation.x, transform.translation.y,
+                std::atan2(2.0 * (q.w * q.z + q.x * q.y), 1.0 - 2.0 * (q.y * q.y + q.z * q.z))};
+  }
+
+  /// The first radar's site; of the first one that is heard, when the first radar has none.
+  bool findOrigin(bool patient) {
     std::string why;
-    if (bus_.transforms().canTransform(params_.frame, frame, ros::Time(0), &why)) {
-      const auto transform = bus_.transforms().lookupTransform(params_.frame, frame, ros::Time(0));
-      settle(radar, transform.transform.translation.x, transform.transform.translation.y);
-      return true;
-    }
-    if (patient) return false;
-    bus_.counter("unknown sites")
-        .add("no transform from " + frame + " to " + params_.frame + "; taken as its origin: " + why);
-    settle(radar, 0.0, 0.0);
+    origin_ = siteOf(0, why);
+    if (origin_ || patient) return origin_.has_value();
+    origin_ = siteOf(waiting_.front().first, why);
+    if (!origin_) origin_ = Site{};
     return true;
   }
 
-  void settle(std::size_t radar, double x, double y) {
-    if (!origin_) origin_ = Site{x, y, true};
-    const double distance = std::hypot(x - origin_->x, y - origin_->y);
-    sites_[radar] = Site{x, y, distance <= kSameSite};
-    if (sites_[radar]->usable) return;
-    bus_.counter("radars at another site")
-        .add(params_.adit.radars[radar].name + " stands " + std::to_string(std::lround(distance)) +
-             " m from the other radars; its detections are left out");
+  /// False: the radar's sectors wait for its site.
+  bool findSite(std::size_t radar, bool patient) {
+    std::string why;
+    const std::optional<Site> site = siteOf(radar, why);
+    if (!site && patient) return false;
+    const std::string& name = params_.adit.radars[radar].name;
+    if (!site) bus_.counter("unknown sites").add("no transform from " + name + " to " + params_.frame + ": " + why);
+    const double distance = site ? std::hypot(site->x - origin_->x, site->y - origin_->y) : 0.0;
+    usable_[radar] = distance <= kSameSite;
+    if (!*usable_[radar]) {
+      bus_.counter("radars at another site")
+          .add(name + " stands " + std::to_string(std::lround(distance)) +
+               " m from the first radar; its detections are left out");
+    }
+    return true;
   }
 
   void publish(const SectorReport& report) {
@@ -130,7 +146,7 @@ class AditNode::Impl {
     message.sector = static_cast<std::uint8_t>(report.running % tws::kSectors);
     message.sequence = sequence_++;
     for (const TrackWord& word : report.words) {
-      message.tracks.push_back(trackMessage(*adit_, word, origin_->x, origin_->y));
+      message.tracks.push_back(trackMessage(*adit_, word, *origin_));
     }
     tracks_.publish(message);
     if (message.sector == 0) publishClutter(report);
@@ -160,17 +176,12 @@ class AditNode::Impl {
     totals_ = now;
   }
 
-  struct Site {
-    double x, y;
-    bool usable;
-  };
-
   Bus& bus_;
   NodeParams params_;
   tws_runtime::Publisher<tws_msgs::Tracks> tracks_;
   tws_runtime::Publisher<tws_msgs::ClutterMap> clutter_;
   std::deque<std::pair<std::size_t, tws::RadarSector>> waiting_;
-  std::vector<std::optional<Site>> sites_;
+  std::vector<std::optional<bool>> usable_;  // of each radar: does it stand with the first? Nothing: not known yet
   std::optional<Site> origin_;
   std::uint32_t sequence_ = 0;
   AditCounts totals_;

@@ -18,33 +18,42 @@ std::uint8_t stateOf(const Adit& adit, const Track& track, TrackEvent event) {
   return track.coasting ? tws_msgs::Track::COASTING : tws_msgs::Track::FIRM;
 }
 
-void setPlace(tws_msgs::Track& message, const Kinematics& k, double east, double north) {
+void setPlace(tws_msgs::Track& message, const Kinematics& k, const Site& site) {
+  const double c = std::cos(site.turn), s = std::sin(site.turn);
   message.stamp = tws_runtime::toTime(k.time);
   message.range = k.range;
   message.azimuth = k.azimuth;
   message.elevation = kUnknown;
   message.range_rate = k.range_rate;
   message.azimuth_rate = k.azimuth_rate;
-  message.position.x = east + k.x;
-  message.position.y = north + k.y;
+  message.position.x = site.x + c * k.x - s * k.y;
+  message.position.y = site.y + s * k.x + c * k.y;
   message.position.z = kUnknown;
-  message.velocity.x = k.vx;
-  message.velocity.y = k.vy;
+  message.velocity.x = c * k.vx - s * k.vy;
+  message.velocity.y = s * k.vx + c * k.vy;
   message.velocity.z = kUnknown;
   message.speed = std::hypot(k.vx, k.vy);
   message.course = message.speed > 0.0 ? tws::wrapTwoPi(std::atan2(k.vx, k.vy)) : kUnknown;
 }
 
-void setCovariance(tws_msgs::Track& message, const PlanarState& s) {
-  message.covariance = {s.position.xx, s.position.xy, s.x_vx,        s.x_vy,         //
-                        s.position.xy, s.position.yy, s.y_vx,        s.y_vy,         //
-                        s.x_vx,        s.y_vx,        s.velocity.xx, s.velocity.xy,  //
-                        s.x_vy,        s.y_vy,        s.velocity.xy, s.velocity.yy};
+void setCovariance(tws_msgs::Track& message, const PlanarState& p, const Site& site) {
+  const double c = std::cos(site.turn), s = std::sin(site.turn);
+  const double own[4][4] = {{p.position.xx, p.position.xy, p.x_vx, p.x_vy},
+                            {p.position.xy, p.position.yy, p.y_vx, p.y_vy},
+                            {p.x_vx, p.y_vx, p.velocity.xx, p.velocity.xy},
+                            {p.x_vy, p.y_vy, p.velocity.xy, p.velocity.yy}};
+  const double turn[4][4] = {{c, -s, 0.0, 0.0}, {s, c, 0.0, 0.0}, {0.0, 0.0, c, -s}, {0.0, 0.0, s, c}};
+  message.covariance.assign(16, 0.0);
+  for (std::size_t cell = 0; cell < 16; ++cell) {
+    for (std::size_t i = 0; i < 4; ++i) {
+      for (std::size_t j = 0; j < 4; ++j) message.covariance[cell] += turn[cell / 4][i] * own[i][j] * turn[cell % 4][j];
+    }
+  }
 }
 
 }  // namespace
 
-tws_msgs::Track trackMessage(const Adit& adit, const TrackWord& word, double east, double north) {
+tws_msgs::Track trackMessage(const Adit& adit, const TrackWord& word, const Site& site) {
   const Track& track = adit.tracks().at(word.slot);
   const Extrapolation now = adit.at(word.slot, word.time);
   tws_msgs::Track message;
@@ -53,8 +62,8 @@ tws_msgs::Track trackMessage(const Adit& adit, const TrackWord& word, double eas
   message.state = stateOf(adit, track, word.event);
   message.first_detection = tws_runtime::toTime(track.first_time);
   message.last_update = tws_runtime::toTime(track.last_update);
-  setPlace(message, now.kinematics, east, north);
-  if (now.has_covariance) setCovariance(message, now.planar);
+  setPlace(message, now.kinematics, site);
+  if (now.has_covariance) setCovariance(message, now.planar, site);
   message.detection_bits = track.detected_by;
   for (std::size_t radar = 0; radar < adit.params().radars.size(); ++radar) {
     if (track.updated[radar] == kNever) continue;

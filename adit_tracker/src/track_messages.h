@@ -7,8 +7,15 @@
 
 namespace adit_tracker {
 
-/// What the tracker says of a track; the radars' site is at (east, north) in the frame of positions [m].
-tws_msgs::Track trackMessage(const Adit& adit, const TrackWord& word, double east, double north);
+/// Where the radars stand in the frame of positions, and how their east is turned from its x axis, anticlockwise.
+struct Site {
+  double x = 0.0, y = 0.0;  // [m]
+  double turn = 0.0;        // [rad]
+};
+
+/// What the tracker says of a track: range and azimuth as the radars see it, position and velocity in the frame of
+/// positions.
+tws_msgs::Track trackMessage(const Adit& adit, const TrackWord& word, const Site& site);
 
 /// The clutter map without its header.
 tws_msgs::ClutterMap clutterMessage(const Adit& adit);

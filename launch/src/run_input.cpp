@@ -5,6 +5,7 @@
 #include <tws_msgs/Detections.h>
 #include <yaml-cpp/yaml.h>
 
+#include <algorithm>
 #include <set>
 #include <stdexcept>
 
@@ -21,6 +22,8 @@ std::string firstPart(const std::string& topic) { return topic.substr(1, topic.f
 void readScenario(RunInput& input) {
   const YAML::Node scenario = YAML::LoadFile(input.path);
   for (const YAML::Node& radar : scenario["radars"]) input.radars.push_back(radar["name"].as<std::string>());
+  // As of a bag, whose topics have no order: the trackers' numbering of radars must be the same for both.
+  std::sort(input.radars.begin(), input.radars.end());
   input.length = scenario["duration_s"].as<double>(0.0);
 }
 

@@ -40,7 +40,10 @@ void run(const Options& options) {
   const auto input = tws_launch::inspectInput(std::filesystem::absolute(options.input).string());
   tws_launch::OfflineGraph offline(describe(options, input), std::cerr);
   std::filesystem::create_directories(options.out);
-  offline.graph().record(options.out + "/run.bag");
+  const std::string output = options.out + "/run.bag";
+  if (std::filesystem::exists(output) && std::filesystem::equivalent(output, input.path))
+    throw std::runtime_error(output + ": is the input itself; name another folder by --out");
+  offline.graph().record(output);
   std::vector<tws_runtime::Source*> sources = offline.sources();
   std::unique_ptr<tws_runtime::BagSource> bag;
   if (input.is_bag)
