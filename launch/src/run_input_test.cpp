@@ -41,7 +41,7 @@ TEST(RunInput, OfAScenarioHasItsRadarsInOrderAndItsLength) {
                            "duration_s: 42\nradars: [{name: zeta, type: SPS-12}, {name: alpha, type: SPS-39}]\n");
   const RunInput input = inspectInput(file.path);
   EXPECT_FALSE(input.is_bag);
-  EXPECT_EQ(input.radars, (std::vector<std::string>{"zeta", "alpha"}));
+  EXPECT_EQ(input.radars, (std::vector<std::string>{"alpha", "zeta"}));  // In one order, as from its bag.
   EXPECT_EQ(input.length, 42.0);
 }
 
