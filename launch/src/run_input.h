@@ -9,7 +9,7 @@ namespace tws_launch {
 struct RunInput {
   std::string path;
   bool is_bag = false;
-  std::vector<std::string> radars;  ///< Names of the rotating radars: in a scenario in its order, in a bag by name.
+  std::vector<std::string> radars;  ///< Names of the rotating radars, by name.
   double length = 0.0;              ///< Data time from start to end [s]; 0: the scenario does not say.
 };
 
