@@ -36,7 +36,7 @@ std::string reasonOfRefusal(const std::string& path) {
   return "";
 }
 
-TEST(RunInput, OfAScenarioHasItsRadarsInOrderAndItsLength) {
+TEST(RunInput, OfAScenarioHasItsRadarsByNameAndItsLength) {
   const TemporaryFile file(".yaml",
                            "duration_s: 42\nradars: [{name: zeta, type: SPS-12}, {name: alpha, type: SPS-39}]\n");
   const RunInput input = inspectInput(file.path);
