@@ -52,6 +52,24 @@ class CountTests(unittest.TestCase):
         report = '<testcase name="format" status="run"/><testcase name="tidy" status="notrun"><skipped message=""/></testcase>'
         self.assertEqual(self.count({"ctest-unit.xml": report}), (1, 0, 1))
 
+    def test_what_unittest_prints_counts_case_by_case(self):
+        said = "<system-out>Ran 5 tests in 0.1s\n\nFAILED (failures=1, errors=1, skipped=2)</system-out>"
+        report = f'<testcase name="_ctest_p_csv" status="fail"><failure/>{said}</testcase>'
+        self.assertEqual(self.count({"ctest-unit.xml": report}), (1, 2, 2))
+        said = "<system-out>Ran 1 test in 0.1s\n\nOK</system-out>"
+        self.assertEqual(self.count({"ctest-unit.xml": f'<testcase name="_ctest_p_csv" status="run">{said}</testcase>'}), (1, 0, 0))
+
+    def test_a_program_that_failed_after_its_cases_passed_is_a_failure(self):
+        said = "<system-out>Ran 2 tests in 0.1s\n\nOK</system-out>"
+        report = f'<testcase name="_ctest_p_csv" status="fail"><failure/>{said}</testcase>'
+        self.assertEqual(self.count({"ctest-unit.xml": report}), (2, 1, 0))
+
+    def test_what_was_skipped_is_said_with_its_reason(self):
+        with tempfile.TemporaryDirectory() as folder:
+            file = pathlib.Path(folder, "gtest-x.xml")
+            file.write_text('<testcase classname="Plots" name="AreReal"><skipped message="/x_test.cpp:3&#x0A;no data"/></testcase>')
+            self.assertEqual(list(count_tests.skipped_cases([file])), ["skipped: Plots.AreReal: no data"])
+
     def test_an_empty_result_file_is_a_failure(self):
         self.assertEqual(self.count({"test_results/p/gtest-p_test.xml": ""}), (0, 1, 0))
 
