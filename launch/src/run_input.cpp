@@ -1,52 +1,60 @@
 #include "run_input.h"
 
+#include <radar_sim/radar_sim_node.h>
 #include <rosbag/bag.h>
 #include <rosbag/view.h>
 #include <tws_msgs/Detections.h>
-#include <yaml-cpp/yaml.h>
+#include <tws_runtime/local_graph.h>
 
 #include <algorithm>
 #include <set>
+#include <sstream>
 #include <stdexcept>
 
 namespace tws_launch {
 namespace {
 
-bool endsWith(const std::string& text, const std::string& ending) {
-  return text.size() >= ending.size() && text.compare(text.size() - ending.size(), ending.size(), ending) == 0;
-}
-
 /// "sps12" of "/sps12/detections".
 std::string firstPart(const std::string& topic) { return topic.substr(1, topic.find('/', 1) - 1); }
 
-void readScenario(RunInput& input) {
-  const YAML::Node scenario = YAML::LoadFile(input.path);
-  for (const YAML::Node& radar : scenario["radars"]) input.radars.push_back(radar["name"].as<std::string>());
+/// By the simulator itself, so that what it would refuse is refused here, before anything is started.
+void readScenario(RunInput& input, std::optional<double> duration) {
+  YAML::Node parameters;
+  parameters["scenario"] = input.path;
+  if (duration) parameters["duration"] = *duration;
+  std::ostringstream log;
+  tws_runtime::LocalGraph graph(log);
+  const radar_sim::RadarSimNode simulator(graph.addNode("radar_sim", parameters));
+  input.radars = simulator.radars();
   // As of a bag, whose topics have no order: the trackers' numbering of radars must be the same for both.
   std::sort(input.radars.begin(), input.radars.end());
-  input.length = scenario["duration_s"].as<double>(0.0);
+  input.length = simulator.duration();
 }
 
-void readBag(RunInput& input) {
+void readBag(RunInput& input, std::optional<double> duration) try {
   const rosbag::Bag bag(input.path);
   rosbag::View view(bag, rosbag::TypeQuery(ros::message_traits::datatype<tws_msgs::Detections>()));
   std::set<std::string> names;
   for (const rosbag::ConnectionInfo* connection : view.getConnections()) names.insert(firstPart(connection->topic));
   input.radars.assign(names.begin(), names.end());
   if (view.size() > 0) input.length = (view.getEndTime() - view.getBeginTime()).toSec();
+  input.length = std::min(input.length, duration.value_or(input.length));
+} catch (const std::exception& error) {
+  throw std::runtime_error(input.path + ": " + error.what());
 }
 
 }  // namespace
 
-RunInput inspectInput(const std::string& path) {
+bool isBag(const std::string& path) {
+  const std::string ending = ".bag";
+  return path.size() >= ending.size() && path.compare(path.size() - ending.size(), ending.size(), ending) == 0;
+}
+
+RunInput inspectInput(const std::string& path, std::optional<double> duration) {
   RunInput input;
   input.path = path;
-  input.is_bag = endsWith(path, ".bag");
-  try {
-    input.is_bag ? readBag(input) : readScenario(input);
-  } catch (const std::exception& error) {
-    throw std::runtime_error(path + ": " + error.what());
-  }
+  input.is_bag = isBag(path);
+  input.is_bag ? readBag(input, duration) : readScenario(input, duration);
   if (input.radars.empty()) throw std::runtime_error(path + ": no rotating radar in it");
   return input;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,11 +11,15 @@ struct RunInput {
   std::string path;
   bool is_bag = false;
   std::vector<std::string> radars;  ///< Names of the rotating radars, by name.
-  double length = 0.0;              ///< Data time from start to end [s]; 0: the scenario does not say.
+  double length = 0.0;              ///< Data time from start to end [s].
 };
 
-/// Reads a scenario (whatever its name) or a bag (*.bag). Throws std::runtime_error that names the file when it cannot
-/// be read or has no rotating radar.
-RunInput inspectInput(const std::string& path);
+/// Whether a path is taken for a recorded run: it ends in ".bag".
+bool isBag(const std::string& path);
+
+/// Reads a scenario (whatever its name) or a bag (*.bag), of which a run may be limited to a `duration` [s]. Throws
+/// std::runtime_error, one line that names the file and, in a scenario, the line, when it cannot be read, is wrong or
+/// has no rotating radar.
+RunInput inspectInput(const std::string& path, std::optional<double> duration = std::nullopt);
 
 }  // namespace tws_launch

@@ -3,29 +3,13 @@
 #include <gtest/gtest.h>
 #include <rosbag/bag.h>
 #include <tws_msgs/Detections.h>
-#include <unistd.h>
 
-#include <cstdio>
-#include <fstream>
+#include "temporary_folder_test_helpers.h"
 
 namespace tws_launch {
 namespace {
 
 // The tracker listens to the radars that are named here: one that is missed is never tracked.
-
-/// A file that goes when the test ends.
-class TemporaryFile {
- public:
-  explicit TemporaryFile(const std::string& ending, const std::string& content = "")
-      : path("/tmp/run_input_test_" + std::to_string(getpid()) + ending) {
-    std::ofstream(path) << content;
-  }
-  TemporaryFile(const TemporaryFile&) = delete;
-  TemporaryFile& operator=(const TemporaryFile&) = delete;
-  ~TemporaryFile() { std::remove(path.c_str()); }
-
-  const std::string path;
-};
 
 std::string reasonOfRefusal(const std::string& path) {
   try {
@@ -37,36 +21,63 @@ std::string reasonOfRefusal(const std::string& path) {
 }
 
 TEST(RunInput, OfAScenarioHasItsRadarsByNameAndItsLength) {
-  const TemporaryFile file(".yaml",
-                           "duration_s: 42\nradars: [{name: zeta, type: SPS-12}, {name: alpha, type: SPS-39}]\n");
-  const RunInput input = inspectInput(file.path);
+  const TemporaryFolder folder;
+  const RunInput input = inspectInput(
+      folder.write("two.yaml", "duration_s: 42\nradars: [{name: zeta, type: SPS-12}, {name: alpha, type: SPS-39}]\n"));
   EXPECT_FALSE(input.is_bag);
   EXPECT_EQ(input.radars, (std::vector<std::string>{"alpha", "zeta"}));  // In one order, as from its bag.
   EXPECT_EQ(input.length, 42.0);
 }
 
+// If this fails, the progress shown knows no end.
+TEST(RunInput, OfAScenarioThatDoesNotSayHasTheSimulatorsLength) {
+  const TemporaryFolder folder;
+  const std::string path = folder.write("short.yaml", "radars: [{name: a}]\n");
+  EXPECT_EQ(inspectInput(path).length, 300.0);  // As radar_sim/README.md says.
+  EXPECT_EQ(inspectInput(path, 12.0).length, 12.0);
+  EXPECT_EQ(inspectInput(path, 4000.0).length, 4000.0);
+}
+
 TEST(RunInput, OfABagHasTheRadarsOfItsDetectionsAndTheTimeBetweenFirstAndLast) {
-  const TemporaryFile file(".bag");
-  rosbag::Bag bag(file.path, rosbag::bagmode::Write);
+  const TemporaryFolder folder;
+  rosbag::Bag bag(folder.file("run.bag"), rosbag::bagmode::Write);
   bag.write("/sps12/detections", ros::Time(100.0), tws_msgs::Detections());
   bag.write("/sps39/detections", ros::Time(130.0), tws_msgs::Detections());
   bag.close();
-  const RunInput input = inspectInput(file.path);
+  const RunInput input = inspectInput(folder.file("run.bag"));
   EXPECT_TRUE(input.is_bag);
   EXPECT_EQ(input.radars, (std::vector<std::string>{"sps12", "sps39"}));
   EXPECT_EQ(input.length, 30.0);
+  EXPECT_EQ(inspectInput(folder.file("run.bag"), 12.0).length, 12.0);
+  EXPECT_EQ(inspectInput(folder.file("run.bag"), 4000.0).length, 30.0);  // There is no more in it.
 }
 
 TEST(RunInput, WithoutARadarIsRefused) {
-  const TemporaryFile file(".yaml", "duration_s: 42\n");
-  EXPECT_EQ(reasonOfRefusal(file.path), file.path + ": no rotating radar in it");
+  const TemporaryFolder folder;
+  const std::string path = folder.write("none.yaml", "duration_s: 42\n");
+  EXPECT_EQ(reasonOfRefusal(path), path + ": no rotating radar in it");
 }
 
 TEST(RunInput, ThatCannotBeReadIsRefusedByName) {
-  const TemporaryFile yaml(".yaml", "radars: [\n");
-  const TemporaryFile bag(".bag", "no bag");
-  for (const std::string& path : {yaml.path, bag.path, std::string("/nowhere.yaml"), std::string("/nowhere.bag")})
-    EXPECT_EQ(reasonOfRefusal(path).substr(0, path.size() + 2), path + ": ");
+  const TemporaryFolder folder;
+  for (const std::string& path : {folder.write("bad.yaml", "radars: [\n"), folder.write("bad.bag", "no bag"),
+                                  std::string("/nowhere.yaml"), std::string("/nowhere.bag")})
+    EXPECT_EQ(reasonOfRefusal(path).substr(0, path.size() + 1), path + ":");
+}
+
+// If this fails, the user of a scenario with a slip in it hears of it from a node that died, or not where it is.
+TEST(RunInput, OfAWrongScenarioIsRefusedInOneLineWithFileAndLine) {
+  const TemporaryFolder folder;
+  const std::string path = folder.file("slip.yaml");
+  for (const auto& [content, line, reason] : {std::tuple{"radars:\n  - {type: SPS-12}\n", 2, "name"},
+                                              {"radars: [{name: a}]\nduraton_s: 42\n", 2, "duraton_s"},
+                                              {"radars: [{name: a}]\n\nduration_s: long\n", 3, "duration_s"}}) {
+    folder.write("slip.yaml", content);
+    const std::string said = reasonOfRefusal(path);
+    EXPECT_EQ(said.find(path + ":" + std::to_string(line) + ":"), 0U) << said;
+    EXPECT_NE(said.find(reason), std::string::npos) << said;
+    EXPECT_EQ(said.find('\n'), std::string::npos) << said;
+  }
 }
 
 }  // namespace

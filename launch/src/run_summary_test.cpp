@@ -2,10 +2,10 @@
 
 #include <gtest/gtest.h>
 #include <rosbag/bag.h>
-#include <unistd.h>
 
-#include <cstdio>
 #include <sstream>
+
+#include "temporary_folder_test_helpers.h"
 
 namespace tws_launch {
 namespace {
@@ -103,13 +103,13 @@ TEST(RunSummary, TakesTheLastWordOfTheDiagnostics) {
 }
 
 TEST(RunSummary, ReadsABag) {
-  const std::string path = "/tmp/run_summary_test_" + std::to_string(getpid()) + ".bag";
+  const TemporaryFolder folder;
+  const std::string path = folder.file("run.bag");
   rosbag::Bag bag(path, rosbag::bagmode::Write);
   bag.write("/a/detections", ros::Time(1.0), detections("a", 1.0, 2));
   bag.write("/adit/tracks", ros::Time(1.0), tracks({{1, Track::FIRM}}));
   bag.close();
   const RunSummary summary = RunSummary::ofBag(path);
-  std::remove(path.c_str());
   EXPECT_EQ(summary.plots(), 2U);
   EXPECT_EQ(summary.livingTracks(), 1U);
 }

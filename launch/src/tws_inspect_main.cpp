@@ -10,8 +10,10 @@ int main(int argc, char** argv) {
                  "tws_inspect");
     std::string path;
     app.add_option("input", path, "scenario (YAML) or recorded run (*.bag)")->required()->check(CLI::ExistingFile);
+    std::optional<double> duration;
+    tws_launch::addDuration(app, duration);
     if (const auto status = tws_launch::parse(app, argc, argv)) return *status;
-    const tws_launch::RunInput input = tws_launch::inspectInput(path);
+    const tws_launch::RunInput input = tws_launch::inspectInput(path, duration);
     std::cout << "radars:=";
     for (std::size_t i = 0; i < input.radars.size(); ++i) std::cout << (i > 0 ? " " : "") << input.radars[i];
     std::cout << "\nlength:=" << input.length << std::endl;

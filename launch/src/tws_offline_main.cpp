@@ -6,7 +6,6 @@
 #include <csignal>
 #include <filesystem>
 #include <iostream>
-#include <limits>
 
 #include "command_line.h"
 #include "offline_graph.h"
@@ -24,20 +23,27 @@ struct Options {
   std::optional<double> duration;
 };
 
+/// Empty: a seed.
+std::string seedProblem(const std::string& text) {
+  std::int64_t seed = -1;
+  const bool good = CLI::detail::lexical_cast(text, seed) && seed >= 0;
+  return good ? "" : "wants a whole number from 0, not " + text;
+}
+
 /// The graph that roslaunch would start for this input.
 std::vector<tws_launch::NodeDescription> describe(const Options& options, const tws_launch::RunInput& input) {
   std::string radars;
   for (const std::string& radar : input.radars) radars += (radars.empty() ? "" : " ") + radar;
   std::vector<std::string> arguments{"radars:=" + radars, "params:=" + options.params, "rviz:=false",
-                                     "length:=" + std::to_string(options.duration.value_or(input.length)),
+                                     "length:=" + std::to_string(input.length),
                                      (input.is_bag ? "bag:=" : "scenario:=") + input.path};
-  if (options.seed && !input.is_bag) arguments.push_back("seed:=" + std::to_string(*options.seed));
+  if (options.seed) arguments.push_back("seed:=" + std::to_string(*options.seed));
   return tws_launch::describeGraph(input.is_bag ? "replay.launch" : "run.launch", arguments);
 }
 
 void run(const Options& options) {
   const auto start = std::chrono::steady_clock::now();
-  const auto input = tws_launch::inspectInput(std::filesystem::absolute(options.input).string());
+  const auto input = tws_launch::inspectInput(std::filesystem::absolute(options.input).string(), options.duration);
   tws_launch::OfflineGraph offline(describe(options, input), std::cerr);
   std::filesystem::create_directories(options.out);
   const std::string output = options.out + "/run.bag";
@@ -69,10 +75,13 @@ int main(int argc, char** argv) {
         ->check(CLI::ExistingFile);
     app.add_option("--out", options.out, "folder for run.bag");
     app.add_option("--params", options.params, "parameter set of the ADIT tracker: default or nrl7952");
-    app.add_option("--seed", options.seed, "of the random numbers, in place of the scenario's")
-        ->check(CLI::Range(std::int64_t{0}, std::numeric_limits<std::int64_t>::max()));
-    app.add_option("--duration", options.duration, "stop after so much data time [s]")->check(CLI::Range(1e-3, 1e9));
+    app.add_option("--seed", options.seed, "of the random numbers, in place of the scenario's")->check(seedProblem);
+    tws_launch::addDuration(app, options.duration);
     if (const auto status = tws_launch::parse(app, argc, argv)) return *status;
+    if (options.seed && tws_launch::isBag(options.input)) {
+      std::cerr << "tws_offline: --seed is for scenarios; a bag has no random numbers\n";
+      return 2;
+    }
     std::signal(SIGINT, [](int) { interrupted = 1; });
     std::signal(SIGTERM, [](int) { interrupted = 1; });
     run(options);

@@ -114,6 +114,12 @@ class WholeGraphTest(unittest.TestCase):
     def test_a_replay_at_ten_times_the_speed_gives_the_same_tracks(self):
         self.check_same_tracks(launch("replay.launch", self.folder / "fast.bag", bag=self.live, rate=10), "fast replay")
 
+    def test_a_replay_of_limited_duration_ends_there(self):
+        bag = launch("replay.launch", self.folder / "short.bag", bag=self.live, rate=10, duration=10)
+        with rosbag.Bag(str(bag)) as opened:
+            stamps = [m.header.stamp.to_sec() for _, m, _ in opened.read_messages(["/sps12/detections"])]
+        self.assertAlmostEqual(max(stamps) - min(stamps), 10, delta=0.5)
+
     def test_topics_that_interleave_differently_give_the_same_tracks(self):
         for seed in range(5):
             bag = shuffled(self.live, self.folder / f"shuffled{seed}.bag", seed)

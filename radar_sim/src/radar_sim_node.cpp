@@ -29,18 +29,19 @@ Scenario readParameters(tws_runtime::Bus& bus) {
   return loadScenario(file, overrides);
 }
 
-std::unique_ptr<Simulation> makeSimulation(const Scenario& scenario, const std::string& node) {
+std::unique_ptr<Simulation> makeSimulation(const Scenario& scenario, const std::string& file) {
   try {
     return std::make_unique<Simulation>(scenario);
   } catch (const std::invalid_argument& error) {
-    throw tws_runtime::ParameterError(node + ": scenario: " + error.what());
+    throw tws_runtime::ParameterError(file + ": " + error.what());
   }
 }
 
 }  // namespace
 
 RadarSimNode::RadarSimNode(tws_runtime::Bus& bus)
-    : scenario_(std::make_unique<Scenario>(readParameters(bus))), simulation_(makeSimulation(*scenario_, bus.name())) {
+    : scenario_(std::make_unique<Scenario>(readParameters(bus))),
+      simulation_(makeSimulation(*scenario_, bus.parameters()["scenario"].as<std::string>())) {
   advertise(bus);
 }
 
@@ -61,6 +62,14 @@ std::optional<ros::Time> RadarSimNode::nextTime() const {
 }
 
 std::optional<ros::Time> RadarSimNode::endTime() const { return tws_runtime::toTime(scenario_->endTime()); }
+
+std::vector<std::string> RadarSimNode::radars() const {
+  std::vector<std::string> names;
+  for (const RadarParams& radar : scenario_->radars) names.push_back(radar.name);
+  return names;
+}
+
+double RadarSimNode::duration() const { return scenario_->duration; }
 
 void RadarSimNode::step() {
   std::visit([this](const auto& report) { publish(report); }, simulation_->step());

@@ -42,8 +42,13 @@ std::string suggestion(const std::string& key, const std::set<std::string>& know
   return "known keys: " + join({known.begin(), known.end()});
 }
 
+/// A long text, as of a file that is no YAML, by its beginning: the reason stays one line.
 std::string shown(const YAML::Node& node) {
-  if (node.IsScalar()) return "'" + node.Scalar() + "'";
+  constexpr std::size_t kMost = 40;
+  if (node.IsScalar()) {
+    const std::string text = node.Scalar().substr(0, node.Scalar().find('\n'));
+    return text.size() <= kMost && text == node.Scalar() ? "'" + text + "'" : "'" + text.substr(0, kMost) + "…'";
+  }
   return node.IsSequence() ? "a list" : node.IsMap() ? "a map" : "nothing";
 }
 

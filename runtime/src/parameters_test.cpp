@@ -182,6 +182,14 @@ TEST(MergeParameters, ReplacesValuesKeyByKeyAndKeepsLines) {
 
 // If this fails, a node gets other numbers over the parameter server than from the file, and runs differ in the last
 // bit.
+// If this fails, a file of another kind given by mistake fills the screen.
+TEST(ParameterReader, ALongTextIsShownByItsBeginningInOneLine) {
+  EXPECT_EQ(errorOf([] { ParameterReader(YAML::Load("first\n\nsecond\n"), "f"); }),
+            "f:1:1: expected a map, found 'first…'");
+  EXPECT_EQ(errorOf([] { ParameterReader(YAML::Load(std::string(100, 'a')), "f"); }),
+            "f:1:1: expected a map, found '" + std::string(40, 'a') + "…'");
+}
+
 TEST(TreeFromXmlRpc, KeepsEveryBitOfANumberAndTheShapeOfTheTree) {
   XmlRpc::XmlRpcValue value;
   const double third = 1.0 / 3.0;

@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include <ros/time.h>
@@ -30,6 +31,11 @@ class RadarSimNode : public tws_runtime::Source {
   std::optional<ros::Time> nextTime() const override;
   void step() override;
   std::optional<ros::Time> endTime() const override;
+
+  /// Names of the rotating radars, in the scenario's order.
+  std::vector<std::string> radars() const;
+  /// Data time from start to end [s].
+  double duration() const;
 
  private:
   struct RadarTopics {
