@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -13,15 +14,17 @@ inline Bytes bytesOf(const Octets& octets) { return {octets.data(), octets.size(
 
 /// A data block around records: category and length in front.
 inline Octets blockOf(std::uint8_t category, const Octets& records) {
-  const std::size_t length = records.size() + 3;
-  Octets block{category, static_cast<std::uint8_t>(length >> 8), static_cast<std::uint8_t>(length)};
-  block.insert(block.end(), records.begin(), records.end());
+  Octets block(records.size() + 3, category);
+  block[1] = static_cast<std::uint8_t>(block.size() >> 8);
+  block[2] = static_cast<std::uint8_t>(block.size());
+  std::copy(records.begin(), records.end(), block.begin() + 3);
   return block;
 }
 
-inline Octets operator+(Octets a, const Octets& b) {
-  a.insert(a.end(), b.begin(), b.end());
-  return a;
+inline Octets operator+(const Octets& a, const Octets& b) {
+  Octets sum(a.size() + b.size());
+  std::copy(b.begin(), b.end(), std::copy(a.begin(), a.end(), sum.begin()));
+  return sum;
 }
 
 inline Block decoded(const Octets& octets, std::size_t offset = 0) {

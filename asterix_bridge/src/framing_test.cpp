@@ -1,0 +1,126 @@
+#include "framing.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "framing_test_helpers.h"
+
+namespace asterix_bridge {
+namespace {
+
+const Octets kPlot = blockOf(1, plot001());                                    // 15 bytes
+const Octets kNorth = blockOf(2, {0xD0, 0x08, 0x09, 0x01, 0x00, 0x00, 0x80});  // 10 bytes
+
+Octets repeat(const Octets& part, int times) {
+  Octets all;
+  for (int i = 0; i < times; ++i) all = all + part;
+  return all;
+}
+
+TEST(Framing, IsFoundByLookingAtTheBytes) {
+  EXPECT_EQ(detectFraming(bytesOf(kPlot + kNorth + kPlot)), Framing::kRaw);
+  EXPECT_EQ(detectFraming(bytesOf(kPlot)), Framing::kRaw);
+  EXPECT_EQ(detectFraming(bytesOf(repeat(timed(kPlot, 1), 4))), Framing::kTimed);
+  const Octets recorder = Octets(2200, 0xCD) + repeat(recorded(kPlot, 1), 4);
+  EXPECT_EQ(detectFraming(bytesOf(recorder)), Framing::kRecorder);
+  EXPECT_EQ(detectFraming(bytesOf({0xD4, 0xC3, 0xB2, 0xA1})), Framing::kPcap);
+  EXPECT_EQ(detectFraming(bytesOf({0x0A, 0x0D, 0x0D, 0x0A})), Framing::kPcapNg);
+}
+
+// A text file read as a radar's data would fill the log, not the screen.
+TEST(Framing, OfAnotherKindOfFileIsRefused) {
+  const std::string text(5000, 'x');
+  EXPECT_THROW(detectFraming(bytesOf(Octets(text.begin(), text.end()))), std::runtime_error);
+  EXPECT_THROW(detectFraming(Bytes{}), std::runtime_error);
+}
+
+TEST(RawFraming, GivesEachBlockWithItsOffset) {
+  const Octets recording = kPlot + kNorth + kPlot;
+  const Found found = findAll(recording, Framing::kRaw);
+  EXPECT_TRUE(found.faults.empty());
+  ASSERT_EQ(found.blocks.size(), 3u);
+  EXPECT_EQ(found.contents[1], kNorth);
+  EXPECT_EQ(found.blocks[1].offset, 15u);
+  EXPECT_FALSE(found.blocks[1].time_of_day);
+}
+
+TEST(RecorderFraming, TellsWhenTheBlockWasReceived) {
+  const Octets recording = Octets(2200, 0xCD) + recorded(kPlot, 128) + recorded(kNorth, 0x546000);
+  const Found found = findAll(recording, Framing::kRecorder);
+  ASSERT_EQ(found.blocks.size(), 2u);
+  EXPECT_EQ(found.blocks[0].offset, 2200u);
+  EXPECT_EQ(found.blocks[1].offset, 2225u);
+  EXPECT_EQ(found.contents[1], kNorth);
+  EXPECT_DOUBLE_EQ(*found.blocks[0].time_of_day, 1.0);
+  EXPECT_DOUBLE_EQ(*found.blocks[1].time_of_day, 43200.0);
+}
+
+TEST(TimedFraming, TellsWhenTheBlockWasReceived) {
+  const Octets recording = timed(kPlot, 43200000) + timed(kNorth, 250);
+  const Found found = findAll(recording, Framing::kTimed);
+  ASSERT_EQ(found.blocks.size(), 2u);
+  EXPECT_EQ(found.contents[0], kPlot);
+  EXPECT_EQ(found.blocks[0].offset, 6u);
+  EXPECT_DOUBLE_EQ(*found.blocks[0].time_of_day, 43200.0);
+  EXPECT_DOUBLE_EQ(*found.blocks[1].time_of_day, 0.25);
+}
+
+TEST(Datagram, MayHoldSeveralBlocksRawOrTimed) {
+  EXPECT_EQ(blocksOfDatagram(bytesOf(kPlot + kNorth)).size(), 2u);
+  const Octets packet = timed(kPlot, 1) + timed(kNorth, 2);
+  const auto steps = blocksOfDatagram(bytesOf(packet), 100);
+  ASSERT_EQ(steps.size(), 2u);
+  EXPECT_EQ(steps[0].block->offset, 106u);
+  EXPECT_TRUE(blocksOfDatagram(Bytes{}).empty());
+}
+
+TEST(Datagram, ThatIsCutIsAFault) {
+  Octets packet = kPlot + kPlot;
+  packet.pop_back();
+  const auto steps = blocksOfDatagram(bytesOf(packet), 100);
+  ASSERT_EQ(steps.size(), 2u);
+  EXPECT_TRUE(steps[0].block);
+  ASSERT_TRUE(steps[1].fault);
+  EXPECT_EQ(steps[1].fault->offset, 115u);
+}
+
+// One broken block must cost that block and no more.
+TEST(RawFraming, GoesOnBehindABlockWithAWrongLength) {
+  for (const std::uint8_t wrong : {0, 3, 14, 16, 200}) {
+    Octets recording = repeat(kPlot, 8);
+    recording[3 * 15 + 2] = wrong;
+    const Found found = findAll(recording, Framing::kRaw);
+    EXPECT_EQ(found.faults.size(), 1u) << int{wrong};
+    ASSERT_EQ(found.blocks.size(), 7u) << int{wrong};
+    EXPECT_EQ(found.blocks[3].offset, 60u) << int{wrong};
+    EXPECT_EQ(found.faults.at(0).offset, 45u) << int{wrong};
+  }
+}
+
+TEST(RecorderFraming, SaysThatTheLastBlockIsCutAndKeepsTheOthers) {
+  Octets recording = Octets(2200, 0xCD) + repeat(recorded(kPlot, 128), 3);
+  recording.resize(recording.size() - 13);
+  const Found found = findAll(recording, Framing::kRecorder);
+  EXPECT_EQ(found.blocks.size(), 2u);
+  ASSERT_EQ(found.faults.size(), 1u);
+  EXPECT_EQ(found.faults[0].offset, 2250u);
+  EXPECT_NE(found.faults[0].reason.find("12 bytes"), std::string::npos) << found.faults[0].reason;
+}
+
+TEST(RawFraming, GoesOnBehindRandomBytes) {
+  const unsigned seed = std::random_device{}();
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  std::mt19937 random(seed);
+  for (int round = 0; round < 200; ++round) {
+    Octets noise(1 + random() % 40);
+    for (std::uint8_t& octet : noise) octet = static_cast<std::uint8_t>(0xE0 | random());  // no category that we know
+    const Octets recording = repeat(kPlot, 4) + noise + repeat(kNorth, 4);
+    const Found found = findAll(recording, Framing::kRaw);
+    EXPECT_EQ(found.blocks.size(), 8u);
+    EXPECT_EQ(found.faults.size(), 1u);
+  }
+}
+
+}  // namespace
+}  // namespace asterix_bridge

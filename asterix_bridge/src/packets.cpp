@@ -1,0 +1,214 @@
+#include "packets.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace asterix_bridge {
+namespace {
+
+constexpr std::uint16_t kIpv4 = 0x0800;
+constexpr std::uint16_t kIpv6 = 0x86DD;
+constexpr std::uint8_t kUdp = 17;
+
+// Reads the link layer away; returns the type of what it carries.
+std::uint16_t readLink(ByteReader& reader, unsigned link) {
+  switch (link) {
+    case 0:  // null: four bytes in the order of the recording machine
+      reader.take(4);
+      break;
+    case 1: {
+      reader.take(12);
+      std::uint16_t type = reader.u16();
+      while (type == 0x8100 || type == 0x88A8) {  // VLAN
+        reader.take(2);
+        type = reader.u16();
+      }
+      return type;
+    }
+    case 113:
+      reader.take(14);
+      return reader.u16();
+    case 276: {
+      const std::uint16_t type = reader.u16();
+      reader.take(18);
+      return type;
+    }
+    case 12:
+    case 101:
+      break;
+    default:
+      throw DecodeError(0, "link type " + std::to_string(link) + " is not known");
+  }
+  ByteReader ahead = reader;
+  return ahead.u8() >> 4 == 6 ? kIpv6 : kIpv4;
+}
+
+// Reads the IP header away, and what pads the packet behind its end.
+ByteReader readIp(ByteReader& reader, std::uint16_t type) {
+  std::uint8_t protocol = 0;
+  std::size_t rest = 0;
+  if (type == kIpv4) {
+    const std::size_t header = (reader.u8() & 15u) * 4u;
+    reader.take(1);
+    const std::size_t total = reader.u16();
+    reader.take(2);
+    if (reader.u16() & 0x3FFFu) throw DecodeError(reader.offset(), "a fragment of an IP packet");
+    reader.take(1);
+    protocol = reader.u8();
+    reader.take(header < 10 ? reader.remaining() + 1 : header - 10);
+    rest = total == 0 ? reader.remaining() : total - std::min(total, header);  // 0: left to the network card
+  } else if (type == kIpv6) {
+    reader.take(4);
+    rest = reader.u16();
+    protocol = reader.u8();
+    reader.take(33);
+  } else {
+    throw DecodeError(reader.offset(), "no IP packet");
+  }
+  if (protocol != kUdp) throw DecodeError(reader.offset(), "no UDP datagram");
+  const std::size_t offset = reader.offset();
+  return ByteReader(reader.take(rest), offset);
+}
+
+}  // namespace
+
+Bytes udpPayload(Bytes packet, unsigned link) {
+  ByteReader reader(packet);
+  const std::uint16_t type = readLink(reader, link);
+  ByteReader udp = readIp(reader, type);
+  udp.take(4);
+  const std::size_t length = udp.u16();
+  udp.take(2);
+  if (length < 8) throw DecodeError(udp.offset(), "UDP length " + std::to_string(length));
+  return udp.take(length - 8);
+}
+
+PacketFile::PacketFile(Bytes recording, Framing framing) : recording_(recording), framing_(framing) {
+  if (framing != Framing::kPcap) return;
+  if (recording.size < 24) throw std::runtime_error("the header of the pcap file is cut");
+  is_swapped_ = recording.data[0] == 0xD4 || recording.data[0] == 0x4D;
+  const std::uint32_t magic = u32(0);
+  interfaces_.push_back({u32(20) & 0xFFFFu, magic == 0xA1B23C4D ? 1e-9 : 1e-6});
+  position_ = 24;
+}
+
+std::uint16_t PacketFile::u16(std::size_t position) const {
+  const std::uint8_t* p = recording_.data + position;
+  return static_cast<std::uint16_t>(is_swapped_ ? p[0] | p[1] << 8 : p[0] << 8 | p[1]);
+}
+
+std::uint32_t PacketFile::u32(std::size_t position) const {
+  const std::uint32_t first = u16(position);
+  const std::uint32_t second = u16(position + 2);
+  return is_swapped_ ? second << 16 | first : first << 16 | second;
+}
+
+std::optional<FramingStep> PacketFile::next() {
+  while (steps_.empty()) {
+    const std::optional<Packet> packet = nextPacket();
+    if (packet) add(*packet);
+    if (!packet && steps_.empty()) return std::nullopt;
+  }
+  FramingStep step = steps_.front();
+  steps_.pop_front();
+  return step;
+}
+
+std::optional<PacketFile::Packet> PacketFile::nextPacket() {
+  if (position_ >= recording_.size) return std::nullopt;
+  return framing_ == Framing::kPcap ? nextPcap() : nextPcapNg();
+}
+
+// What cannot be read ends the file: the next packet's place is known by this one's length only.
+void PacketFile::fail(const std::string& reason) {
+  FramingStep step;
+  step.fault = FramingFault{position_, reason + "; the rest of the file cannot be read"};
+  steps_.push_back(step);
+  position_ = recording_.size;
+}
+
+std::optional<PacketFile::Packet> PacketFile::nextPcap() {
+  const std::size_t left = recording_.size - position_;
+  const std::size_t length = left < 16 ? left : u32(position_ + 8);
+  if (left < 16 || length > left - 16) {
+    fail("packet cut by the end of the file");
+    return std::nullopt;
+  }
+  const double time = u32(position_) + u32(position_ + 4) * interfaces_[0].tick;
+  const Packet packet{{recording_.data + position_ + 16, length}, position_ + 16, interfaces_[0].link, time};
+  position_ += 16 + length;
+  return packet;
+}
+
+std::optional<PacketFile::Packet> PacketFile::nextPcapNg() {
+  constexpr std::uint32_t kSection = 0x0A0D0D0A;
+  while (position_ < recording_.size) {
+    const std::size_t left = recording_.size - position_;
+    if (left >= 12 && u32(position_) == kSection) {
+      is_swapped_ = recording_.data[position_ + 8] == 0x4D;
+      interfaces_.clear();
+    }
+    const std::size_t length = left < 12 ? 0 : u32(position_ + 4);
+    if (length < 12 || length > left || length % 4 != 0) {
+      fail("block of the pcapng file cut or broken");
+      return std::nullopt;
+    }
+    const std::size_t start = position_;
+    const std::optional<Packet> packet = readPcapNgBlock(u32(start), start, length);
+    position_ = start + length;
+    if (packet) return packet;
+  }
+  return std::nullopt;
+}
+
+std::optional<PacketFile::Packet> PacketFile::readPcapNgBlock(std::uint32_t type, std::size_t start,
+                                                              std::size_t length) {
+  constexpr std::uint32_t kInterface = 1, kSimple = 3, kEnhanced = 6;
+  if (type == kInterface && length >= 20) addInterface(start, length);
+  if (type == kSimple && length >= 16 && !interfaces_.empty()) {
+    const std::size_t size = std::min<std::size_t>(u32(start + 8), length - 16);
+    return Packet{{recording_.data + start + 12, size}, start + 12, interfaces_[0].link, std::nullopt};
+  }
+  if (type != kEnhanced || length < 32) return std::nullopt;
+  const std::uint32_t interface = u32(start + 8);
+  const std::size_t size = u32(start + 20);
+  if (interface >= interfaces_.size() || size > length - 32) return std::nullopt;
+  const double ticks = u32(start + 12) * 4294967296.0 + u32(start + 16);
+  return Packet{{recording_.data + start + 28, size},
+                start + 28,
+                interfaces_[interface].link,
+                ticks * interfaces_[interface].tick};
+}
+
+// Option 9, if_tsresol, is the resolution of time: a power of ten, or of two with the first bit set.
+void PacketFile::addInterface(std::size_t start, std::size_t length) {
+  Interface interface { u16(start + 8), 1e-6 };
+  const std::size_t end = start + length - 4;
+  for (std::size_t option = start + 16; option + 4 <= end && u16(option) != 0;) {
+    const std::size_t size = u16(option + 2);
+    if (u16(option) == 9 && size >= 1 && option + 5 <= end) {
+      const std::uint8_t resolution = recording_.data[option + 4];
+      interface.tick = resolution & 0x80u ? std::ldexp(1.0, -(resolution & 0x7F)) : std::pow(10.0, -resolution);
+    }
+    option += 4 + (size + 3) / 4 * 4;
+  }
+  interfaces_.push_back(interface);
+}
+
+void PacketFile::add(const Packet& packet) {
+  try {
+    const Bytes payload = udpPayload(packet.bytes, packet.link);
+    const auto offset = packet.offset + static_cast<std::size_t>(payload.data - packet.bytes.data);
+    for (FramingStep& step : blocksOfDatagram(payload, offset)) {
+      if (step.block) step.block->time = packet.time;
+      steps_.push_back(step);
+    }
+  } catch (const DecodeError& error) {
+    FramingStep step;
+    step.fault = FramingFault{packet.offset + error.offset(), error.what()};
+    steps_.push_back(step);
+  }
+}
+
+}  // namespace asterix_bridge
