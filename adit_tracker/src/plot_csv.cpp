@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <cstdio>
 #include <istream>
 #include <stdexcept>
 #include <string_view>
@@ -15,6 +16,10 @@ namespace {
 
 constexpr std::size_t kColumns = 5;
 constexpr std::size_t kMostComplaints = 10;
+constexpr double kGreatestTime = 1e10;        // [s]: the year 2286
+constexpr double kLongestPause = 600.0;       // within a stretch of plots [s]
+constexpr std::size_t kFewestPlots = 3;       // of a stretch: fewer make no track
+constexpr double kFarthest = 30.0 * 86400.0;  // from the longest stretch [s]
 constexpr const char* kHeader[kColumns] = {"t_s", "radar", "scan", "range_m", "az_deg"};
 
 std::string_view trimmed(std::string_view text) {
@@ -50,6 +55,9 @@ tws::Plot plotOf(const std::string_view (&columns)[kColumns]) {
   plot.time = number(columns[0], kHeader[0]);
   plot.range = number(columns[3], kHeader[3]);
   plot.azimuth = tws::wrapTwoPi(tws::radians(number(columns[4], kHeader[4])));
+  if (std::abs(plot.time) > kGreatestTime) {
+    throw std::runtime_error("t_s is beyond 1e10 s: " + std::string(columns[0]));
+  }
   if (plot.range <= 0.0) throw std::runtime_error("range_m is not positive: " + std::string(columns[3]));
   if (columns[1].empty()) throw std::runtime_error("radar is empty");
   return plot;
@@ -61,33 +69,94 @@ void checkHeader(const std::string& line, const std::string& name) {
   if (!good) throw std::runtime_error(name + ":1: the header must begin with t_s,radar,scan,range_m,az_deg");
 }
 
+struct Line {
+  std::size_t number;
+  std::string radar;
+  tws::Plot plot;
+};
+
+/// Lines in order of time, without a long pause between them: [first, last).
+struct Stretch {
+  std::size_t first, last;
+  std::size_t size() const { return last - first; }
+};
+
+std::vector<Stretch> stretchesOf(const std::vector<Line>& lines) {
+  std::vector<Stretch> stretches;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    if (i == 0 || lines[i].plot.time - lines[i - 1].plot.time > kLongestPause) stretches.push_back({i, i});
+    stretches.back().last = i + 1;
+  }
+  return stretches;
+}
+
+class Reader {
+ public:
+  explicit Reader(std::string name) : name_(std::move(name)) {}
+
+  void read(std::size_t number, std::string_view text) {
+    try {
+      std::string_view columns[kColumns];
+      if (!split(text, columns)) throw std::runtime_error("has fewer than five columns");
+      const tws::Plot plot = plotOf(columns);
+      lines_.push_back({number, std::string(columns[1]), plot});
+    } catch (const std::runtime_error& error) {
+      refuse(number, error.what());
+    }
+  }
+
+  PlotTable table() {
+    std::stable_sort(lines_.begin(), lines_.end(),
+                     [](const auto& a, const auto& b) { return a.plot.time < b.plot.time; });
+    const std::vector<Stretch> stretches = stretchesOf(lines_);
+    const auto longest = std::max_element(stretches.begin(), stretches.end(),
+                                          [](const Stretch& a, const Stretch& b) { return a.size() < b.size(); });
+    for (auto stretch = stretches.begin(); stretch != stretches.end(); ++stretch) {
+      const double gap = stretch < longest ? time(longest->first) - time(stretch->last - 1)
+                                           : time(stretch->first) - time(longest->last - 1);
+      const bool mistaken = stretch != longest && (stretch->size() < kFewestPlots || gap > kFarthest);
+      for (std::size_t i = stretch->first; i < stretch->last; ++i)
+        mistaken ? refuseTime(lines_[i], gap) : take(lines_[i]);
+    }
+    return std::move(table_);
+  }
+
+ private:
+  double time(std::size_t line) const { return lines_[line].plot.time; }
+
+  void take(const Line& line) {
+    table_.radars[line.radar].push_back(line.plot);
+    ++table_.plots;
+  }
+
+  void refuse(std::size_t number, const std::string& reason) {
+    ++table_.refused;
+    if (table_.complaints.size() >= kMostComplaints) return;
+    table_.complaints.push_back(name_ + ":" + std::to_string(number) + ": " + reason);
+  }
+
+  void refuseTime(const Line& line, double gap) {
+    char text[100];
+    std::snprintf(text, sizeof text, "t_s lies %.0f s from most other plots: %.10g", gap, line.plot.time);
+    refuse(line.number, text);
+  }
+
+  std::string name_;
+  std::vector<Line> lines_;
+  PlotTable table_;
+};
+
 }  // namespace
 
 PlotTable readPlots(std::istream& input, const std::string& name) {
-  PlotTable table;
   std::string line;
   std::getline(input, line);
   checkHeader(line, name);
-  for (std::size_t number_of_line = 2; std::getline(input, line); ++number_of_line) {
-    if (trimmed(line).empty()) continue;
-    try {
-      std::string_view columns[kColumns];
-      if (!split(line, columns)) throw std::runtime_error("has fewer than five columns");
-      const tws::Plot plot = plotOf(columns);
-      table.radars[std::string(columns[1])].push_back(plot);
-      ++table.plots;
-    } catch (const std::runtime_error& error) {
-      ++table.refused;
-      if (table.complaints.size() < kMostComplaints) {
-        table.complaints.push_back(name + ":" + std::to_string(number_of_line) + ": " + error.what());
-      }
-    }
+  Reader reader(name);
+  for (std::size_t number = 2; std::getline(input, line); ++number) {
+    if (!trimmed(line).empty()) reader.read(number, line);
   }
-  for (auto& [radar, plots] : table.radars) {
-    std::stable_sort(plots.begin(), plots.end(),
-                     [](const tws::Plot& a, const tws::Plot& b) { return a.time < b.time; });
-  }
-  return table;
+  return reader.table();
 }
 
 }  // namespace adit_tracker

@@ -19,7 +19,9 @@ struct PlotTable {
 };
 
 /// Reads `t_s,radar,scan,range_m,az_deg[,…]` with a header line; azimuth clockwise from true north; further columns are
-/// ignored. A line that cannot be used is counted and left out. Throws std::runtime_error, naming the file, when the
+/// ignored. A line that cannot be used is counted and left out. So is one whose time must be a mistake: beyond ±1e10 s,
+/// one of two or fewer with nothing of any radar within ten minutes of them, or of a stretch that lies a month or more
+/// from the longest one. A recording may pause for hours or days. Throws std::runtime_error, naming the file, when the
 /// header is not as above.
 PlotTable readPlots(std::istream& input, const std::string& name);
 

@@ -66,8 +66,42 @@ constexpr BadLine kBadLines[] = {
     {"1,a,0,0,10", "range_m is not positive: 0"},
     {"1,a,0,-5,10", "range_m is not positive: -5"},
     {"1,,0,1000,10", "radar is empty"},
+    {"1e12,a,0,1000,10", "t_s is beyond 1e10 s: 1e12"},
+    {"-2e10,a,0,1000,10", "t_s is beyond 1e10 s: -2e10"},
+    {"5000000,a,0,1000,10", "t_s lies 4999998 s from most other plots: 5000000"},
+    {"-700,a,0,1000,10", "t_s lies 701 s from most other plots: -700"},
 };
 INSTANTIATE_TEST_SUITE_P(Each, MalformedLine, testing::ValuesIn(kBadLines));
+
+/// Plots of radar a, one a second.
+std::string stretch(double from, int plots) {
+  std::string text;
+  for (int i = 0; i < plots; ++i) text += std::to_string(from + i) + ",a,0,1000,10\n";
+  return text;
+}
+
+// If this fails, what was recorded before or after a pause is lost.
+TEST(PlotCsv, KeepsAllOfARecordingThatPauses) {
+  for (const double pause : {700.0, 3600.0, 86400.0, 20.0 * 86400.0}) {
+    const PlotTable table =
+        read(kHeader + stretch(100.0, 3) + stretch(100.0 + pause, 50) + stretch(200.0 + 2 * pause, 5));
+    EXPECT_EQ(table.plots, 58U) << pause;
+    EXPECT_EQ(table.refused, 0U) << pause;
+  }
+}
+
+// If this fails, a clock that was wrong for a while makes the tracker walk through centuries of silence.
+TEST(PlotCsv, LeavesOutAStretchThatIsMonthsAway) {
+  const PlotTable table = read(kHeader + stretch(0.0, 4) + stretch(1.7e9, 50) + stretch(4.2e9, 5));
+  EXPECT_EQ(table.plots, 50U);
+  EXPECT_EQ(table.refused, 9U);
+  EXPECT_EQ(table.radars.at("a").front().time, 1.7e9);
+}
+
+TEST(PlotCsv, TakesARadarWithFewPlotsWhenAnotherIsHeardMeanwhile) {
+  const PlotTable table = read(kHeader + stretch(0.0, 2000) + "1000,b,0,5000,10\n");
+  EXPECT_EQ(table.radars.at("b").size(), 1U);
+}
 
 // If this fails, a file of another kind floods the screen.
 TEST(PlotCsv, CountsAllBadLinesButNamesOnlyTheFirst) {
