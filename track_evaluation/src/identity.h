@@ -1,0 +1,54 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <map>
+#include <set>
+#include <vector>
+
+#include "metric_list.h"
+
+namespace track_evaluation {
+
+struct IdentityParams {
+  double same_time = 0.002;          ///< A plot and an update this close in time may be one [s], >= 0.
+  double same_place = 5000.0;        ///< … and this close in place [m], > 0.
+  std::size_t least_plots = 20;      ///< An identity with fewer plots does not count.
+  double long_gap = 16.4;            ///< Between two updates of one identity's plots [s], > 0.
+  std::set<std::uint32_t> monitors;  ///< Identities of fixed devices, which must not be tracked.
+};
+
+/// Scores tracks without truth, by the identities (Mode 3/A code, 24-bit address) that the plots bear and the tracker
+/// need not see: a track's update belongs to the nearest plot of the same instant. Takes for granted that an identity
+/// is one aircraft, so what changes its code or shares it counts against the tracker. README.md defines the metrics.
+class IdentityMetrics {
+ public:
+  explicit IdentityMetrics(const IdentityParams& params = {}) : params_(params) {}
+
+  /// In any order; position on the radar's slant plane [m], time [s]. Not finite: throws std::invalid_argument.
+  void addPlot(double time, std::uint32_t identity, const Eigen::Vector2d& position);
+  /// An update of a believed track by a detection at `time`.
+  void addUpdate(double time, std::uint32_t track, const Eigen::Vector2d& position);
+
+  bool empty() const { return plots_.empty(); }
+  MetricList report() const;
+
+ private:
+  struct Event {
+    double time;
+    std::uint32_t who;
+    Eigen::Vector2d position;
+  };
+  /// What became of one identity or of one track.
+  struct Count {
+    std::size_t plots = 0, updates = 0;
+    std::map<std::uint32_t, std::size_t> by_other;  // updates by track, or by identity
+    std::vector<double> times;                      // of updates
+  };
+  void join(std::map<std::uint32_t, Count>& identities, std::map<std::uint32_t, Count>& tracks) const;
+
+  IdentityParams params_;
+  std::vector<Event> plots_, updates_;
+};
+
+}  // namespace track_evaluation

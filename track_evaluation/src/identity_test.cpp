@@ -1,0 +1,91 @@
+#include "identity.h"
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+
+#include "epoch_test_helpers.h"
+
+namespace track_evaluation {
+namespace {
+
+// If one of these fails, recorded radar data without truth say something wrong about a tracker.
+
+IdentityParams small() {
+  IdentityParams params;
+  params.least_plots = 3;
+  params.long_gap = 10.0;
+  params.monitors = {0777};
+  return params;
+}
+
+/// Identity 1 has a plot every 4 s at x = 0, identity 2 one at x = 50 km at the same times.
+class TwoAircraft {
+ public:
+  TwoAircraft() {
+    for (int scan = 0; scan < 10; ++scan) {
+      metrics.addPlot(4.0 * scan, 1, {0, 0});
+      metrics.addPlot(4.0 * scan, 2, {50e3, 0});
+    }
+  }
+  void update(int scan, std::uint32_t track, double x) { metrics.addUpdate(4.0 * scan, track, {x, 10.0}); }
+  double metric(const std::string& name) const { return valueOf(metrics.report(), name); }
+  IdentityMetrics metrics{small()};
+};
+
+TEST(Identity, OneTrackForEachIsPerfect) {
+  TwoAircraft scene;
+  for (int scan = 0; scan < 10; ++scan) {
+    scene.update(scan, 7, 0);
+    scene.update(scan, 8, 50e3);
+  }
+  EXPECT_EQ(scene.metric("identities"), 2.0);
+  for (const char* name : {"update_probability", "purity", "continuity", "fragmentation"})
+    EXPECT_EQ(scene.metric(name), 1.0) << name;
+  EXPECT_EQ(scene.metric("long_gap_share"), 0.0);
+  EXPECT_EQ(scene.metric("longest_gap_s"), 4.0);
+}
+
+TEST(Identity, ATrackThatChangesTheAircraftIsImpure) {
+  TwoAircraft scene;
+  for (int scan = 0; scan < 6; ++scan) scene.update(scan, 7, 0);
+  for (int scan = 6; scan < 10; ++scan) scene.update(scan, 7, 50e3);
+  EXPECT_NEAR(scene.metric("purity"), 0.6, 1e-12);
+  EXPECT_NEAR(scene.metric("update_probability"), 0.5, 1e-12);
+  EXPECT_NEAR(scene.metric("continuity"), 0.5, 1e-12);  // 6 of 10 and 4 of 10 plots
+}
+
+TEST(Identity, TwoTracksOneAfterTheOtherAreFragments) {
+  TwoAircraft scene;
+  for (int scan = 0; scan < 10; ++scan) scene.update(scan, 8, 50e3);
+  for (int scan = 0; scan < 3; ++scan) scene.update(scan, 7, 0);
+  for (int scan = 6; scan < 10; ++scan) scene.update(scan, 9, 0);
+  EXPECT_NEAR(scene.metric("fragmentation"), 1.5, 1e-12);
+  EXPECT_EQ(scene.metric("longest_gap_s"), 16.0);
+  EXPECT_NEAR(scene.metric("long_gap_share"), 1.0 / (9.0 + 6.0), 1e-12);
+}
+
+TEST(Identity, MonitorsAndRareCodesDoNotCountButTracksOfMonitorsAreTold) {
+  TwoAircraft scene;
+  for (int scan = 0; scan < 5; ++scan) scene.metrics.addPlot(4.0 * scan, 0777, {-50e3, 0});
+  scene.metrics.addPlot(4.0, 3, {90e3, 0});
+  scene.update(2, 5, -50e3);
+  EXPECT_EQ(scene.metric("identities"), 2.0);
+  EXPECT_EQ(scene.metric("monitor_updates"), 1.0);
+}
+
+TEST(Identity, AnUpdateWithoutAPlotOfItsInstantBelongsToNobody) {
+  TwoAircraft scene;
+  scene.metrics.addUpdate(2.0, 7, {0, 0});
+  scene.metrics.addUpdate(4.0, 7, {20e3, 0});
+  EXPECT_EQ(scene.metric("update_probability"), 0.0);
+}
+
+TEST(Identity, RefusesWhatIsNoNumber) {
+  IdentityMetrics metrics;
+  EXPECT_THROW(metrics.addPlot(std::nan(""), 1, {0, 0}), std::invalid_argument);
+  EXPECT_THROW(metrics.addUpdate(0.0, 1, {0, std::nan("")}), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace track_evaluation

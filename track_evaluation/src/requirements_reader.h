@@ -1,0 +1,15 @@
+#pragma once
+
+#include <yaml-cpp/yaml.h>
+
+#include <string>
+#include <vector>
+
+#include "requirements.h"
+
+namespace track_evaluation {
+
+/// The profiles in a tree like config/requirements.yaml. Throws tws_runtime::ParameterError.
+std::vector<RequirementProfile> readRequirements(const YAML::Node& tree, const std::string& where);
+
+}  // namespace track_evaluation
