@@ -1,11 +1,14 @@
 #include "marker_layer.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace tws_rviz {
 namespace {
 
 using visualization_msgs::Marker;
+
+const ros::Duration kLeastLifetime(10.0);
 
 std_msgs::ColorRGBA toMessage(const Rgba& color) {
   std_msgs::ColorRGBA message;
@@ -29,29 +32,39 @@ MarkerLayer::MarkerLayer(std::string frame, std::string name, double height)
     : frame_(std::move(frame)), name_(std::move(name)), height_(height) {}
 
 visualization_msgs::MarkerArray MarkerLayer::show(const Drawing& drawing, ros::Time time) {
+  heedTime(time);
   visualization_msgs::MarkerArray array;
   if (!std::exchange(started_, true)) {
-    array.markers.push_back(marker("", 0, Marker::TRIANGLE_LIST, time));
+    array.markers.push_back(marker("", 0, Marker::TRIANGLE_LIST));
     array.markers.back().action = Marker::DELETEALL;
   }
-  array.markers.push_back(triangles(drawing, time));
+  array.markers.push_back(triangles(drawing));
   std::set<std::uint32_t> gone = std::exchange(labels_, {});
   for (const Label& label : drawing.labels) {
-    array.markers.push_back(text(label, time));
+    array.markers.push_back(text(label));
     labels_.insert(label.id);
     gone.erase(label.id);
   }
   for (const std::uint32_t id : gone) {
-    array.markers.push_back(marker(name_ + " labels", static_cast<int>(id), Marker::TEXT_VIEW_FACING, time));
+    array.markers.push_back(marker(name_ + " labels", static_cast<int>(id), Marker::TEXT_VIEW_FACING));
     array.markers.back().action = Marker::DELETE;
   }
   return array;
 }
 
-Marker MarkerLayer::marker(const std::string& part, int id, int type, ros::Time time) const {
+void MarkerLayer::heedTime(ros::Time time) {
+  const bool goes_on = !time_.isZero() && time >= time_;
+  // The steps differ; a short one must not make the picture flicker.
+  if (!time.isZero())
+    lifetime_ = goes_on ? std::max({kLeastLifetime, (time - time_) * 10.0, lifetime_ * 0.9}) : kLeastLifetime;
+  time_ = time;
+}
+
+Marker MarkerLayer::marker(const std::string& part, int id, int type) const {
   Marker marker;
   marker.header.frame_id = frame_;
-  marker.header.stamp = time;
+  marker.header.stamp = time_;
+  marker.lifetime = lifetime_;
   marker.ns = part;
   marker.id = id;
   marker.type = type;
@@ -62,8 +75,8 @@ Marker MarkerLayer::marker(const std::string& part, int id, int type, ros::Time 
   return marker;
 }
 
-Marker MarkerLayer::triangles(const Drawing& drawing, ros::Time time) const {
-  Marker result = marker(name_, 0, Marker::TRIANGLE_LIST, time);
+Marker MarkerLayer::triangles(const Drawing& drawing) const {
+  Marker result = marker(name_, 0, Marker::TRIANGLE_LIST);
   // RViz calls an empty list an error.
   if (drawing.triangles.empty()) result.action = Marker::DELETE;
   result.points.reserve(drawing.triangles.size());
@@ -75,8 +88,8 @@ Marker MarkerLayer::triangles(const Drawing& drawing, ros::Time time) const {
   return result;
 }
 
-Marker MarkerLayer::text(const Label& label, ros::Time time) const {
-  Marker result = marker(name_ + " labels", static_cast<int>(label.id), Marker::TEXT_VIEW_FACING, time);
+Marker MarkerLayer::text(const Label& label) const {
+  Marker result = marker(name_ + " labels", static_cast<int>(label.id), Marker::TEXT_VIEW_FACING);
   result.pose.position.x = label.centre.x();
   result.pose.position.y = label.centre.y();
   result.scale.z = label.height;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <map>
+#include <set>
 
 namespace tws_rviz {
 namespace {
@@ -58,6 +59,27 @@ TEST(MarkerLayer, AllTrianglesAreOneMarkerWithAColourEach) {
   EXPECT_EQ(marker.header.frame_id, "map");
   EXPECT_EQ(marker.header.stamp, ros::Time(7.0));
   EXPECT_DOUBLE_EQ(marker.pose.position.z, 5.0);
+}
+
+// If this fails, aircraft stand on the screen long after the node that draws them has died, or flicker at high rates.
+TEST(MarkerLayer, APictureThatNoOtherFollowsVanishes) {
+  MarkerLayer layer("map", "tracks", 5.0);
+  const auto lifetimes = [&](double time) {
+    std::set<double> seen;
+    for (const Marker& marker : layer.show(labelled({4, 5}), ros::Time(time)).markers)
+      if (marker.action == Marker::ADD) seen.insert(marker.lifetime.toSec());
+    return seen;
+  };
+  EXPECT_EQ(lifetimes(1000.0), std::set<double>{10.0});
+  EXPECT_EQ(lifetimes(1000.2), std::set<double>{10.0});
+  EXPECT_EQ(lifetimes(1020.2), std::set<double>{200.0});  // A hundred times as fast.
+  EXPECT_EQ(lifetimes(1020.2), std::set<double>{180.0});
+  EXPECT_EQ(lifetimes(500.0), std::set<double>{10.0});  // A new run.
+}
+
+TEST(MarkerLayer, APictureWithoutATimeStays) {
+  MarkerLayer layer("map", "background", 0.0);
+  for (const Marker& marker : layer.show(labelled({4}), ros::Time()).markers) EXPECT_TRUE(marker.lifetime.isZero());
 }
 
 TEST(MarkerLayer, ALabelIsATextOfItsHeightAtItsPlace) {
