@@ -1,11 +1,8 @@
 #include "requirements_reader.h"
 
-#include <tws_runtime/parameters.h>
-
 namespace track_evaluation {
 
-std::vector<RequirementProfile> readRequirements(const YAML::Node& tree, const std::string& where) {
-  tws_runtime::ParameterReader reader(tree, where);
+std::vector<RequirementProfile> readProfiles(tws_runtime::ParameterReader& reader) {
   std::vector<RequirementProfile> profiles;
   for (tws_runtime::ParameterReader& entry : reader.list("profiles")) {
     RequirementProfile profile;
@@ -25,6 +22,12 @@ std::vector<RequirementProfile> readRequirements(const YAML::Node& tree, const s
     entry.done();
     profiles.push_back(profile);
   }
+  return profiles;
+}
+
+std::vector<RequirementProfile> readRequirements(const YAML::Node& tree, const std::string& where) {
+  tws_runtime::ParameterReader reader(tree, where);
+  std::vector<RequirementProfile> profiles = readProfiles(reader);
   reader.done();
   return profiles;
 }

@@ -1,0 +1,95 @@
+#include <track_evaluation/evaluation_node.h>
+#include <tws_runtime/bag_source.h>
+#include <tws_runtime/local_graph.h>
+#include <tws_runtime/parameters.h>
+#include <tws_runtime/run.h>
+
+#include <CLI/CLI.hpp>
+#include <fstream>
+#include <iostream>
+
+#include "bag_contents.h"
+#include "command_line.h"
+#include "package_path.h"
+
+namespace {
+
+using namespace track_evaluation;
+
+struct Options {
+  std::string bag, json, series, picture;
+  std::string config, requirements;
+  std::vector<std::string> trackers;
+  bool truth_optional = false, quiet = false;
+};
+
+YAML::Node parametersFor(const Options& options, const BagContents& contents) {
+  const std::string config = options.config.empty() ? packagePath() + "/config/evaluation.yaml" : options.config;
+  const std::string limits =
+      options.requirements.empty() ? packagePath() + "/config/requirements.yaml" : options.requirements;
+  YAML::Node found;
+  found["trackers"] = contents.trackers;
+  found["radars"] = contents.radars;
+  found["secondary_radars"] = contents.secondary_radars;
+  const YAML::Node files =
+      tws_runtime::mergeParameters(tws_runtime::loadParameterFile(config), tws_runtime::loadParameterFile(limits));
+  return tws_runtime::mergeParameters(files, found);
+}
+
+void check(const Options& options, const BagContents& contents, const EvaluationNode& node) {
+  if (node.epochs() > 0 || node.identifiedPlots() > 0 || options.truth_optional) return;
+  if (contents.truth) throw std::runtime_error(options.bag + ": no truth in it can be used");
+  throw std::runtime_error(options.bag +
+                           ": holds neither /truth nor plots with identities (tws_msgs/SsrPlots) to score by");
+}
+
+/// A file that is written from the start of the run on, when it is asked for.
+void open(std::ofstream& file, const std::string& path) {
+  if (path.empty()) return;
+  file.open(path);
+  if (!file) throw std::runtime_error(path + ": cannot be written");
+}
+
+void run(const Options& options) {
+  BagContents contents = inspectBag(options.bag);
+  if (!options.trackers.empty()) contents.trackers = options.trackers;
+  tws_runtime::LocalGraph graph(std::cerr);
+  EvaluationNode node(graph.addNode("evaluation", parametersFor(options, contents)));
+  std::ofstream json, series, picture;
+  open(json, options.json);
+  open(series, options.series);
+  open(picture, options.picture);
+  if (series.is_open()) node.writeSeries(series);
+  if (picture.is_open()) node.writePicture(picture, 2.0);
+  tws_runtime::BagSource source(graph, options.bag, contents.topics());
+  tws_runtime::runOffline(graph, {&source});
+  node.finish();
+  check(options, contents, node);
+  if (json.is_open()) node.writeJson(json, options.bag);
+  if (!options.quiet) node.writeTable(std::cout);
+}
+
+void addOptions(CLI::App& app, Options& options) {
+  app.add_option("bag", options.bag, "a recorded run")->required();
+  app.add_option("--json", options.json, "write the metrics into this file");
+  app.add_option("--series", options.series, "write the metrics of each epoch into this CSV file");
+  app.add_option("--picture", options.picture, "write where truths and tracks are into this CSV file");
+  app.add_option("--tracker", options.trackers, "evaluate this tracker only; several times for several");
+  app.add_option("--config", options.config, "parameters in place of config/evaluation.yaml");
+  app.add_option("--requirements", options.requirements, "limits in place of config/requirements.yaml");
+  app.add_flag("--truth-optional", options.truth_optional, "a bag without truth is no error: timing only");
+  app.add_flag("--quiet", options.quiet, "no table");
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return guarded("evaluate_bag", [&] {
+    Options options;
+    CLI::App app("Scores the trackers in a recorded run.", "evaluate_bag");
+    addOptions(app, options);
+    if (const auto status = parse(app, argc, argv)) return *status;
+    run(options);
+    return 0;
+  });
+}

@@ -1,0 +1,84 @@
+#include "tracker_evaluation.h"
+
+#include <tws_core/geometry.h>
+#include <tws_runtime/conversions.h>
+
+#include <cmath>
+#include <stdexcept>
+
+namespace track_evaluation {
+namespace {
+
+// Tracks come first: what was said at the very instant of an epoch counts.
+constexpr std::size_t kTracks = 0, kTruth = 1;
+
+}  // namespace
+
+TrackerEvaluation::TrackerEvaluation(const EvaluationParams& params, FindSite find_site, OnEpoch on_epoch)
+    : identity(params.identity),
+      params_(params),
+      find_site_(std::move(find_site)),
+      on_epoch_(std::move(on_epoch)),
+      order_(2, params.skew_limit),
+      picture_(params.longest_silence) {}
+
+bool TrackerEvaluation::add(const tws_msgs::Truth& message) {
+  const bool in_time = order_.push(kTruth, tws_runtime::toSeconds(message.header.stamp), Input(message)) ==
+                       tws::TimeOrder<Input>::Result::kAccepted;
+  drain();
+  return in_time;
+}
+
+bool TrackerEvaluation::add(const tws_msgs::Tracks& message) {
+  const bool in_time = order_.push(kTracks, tws_runtime::toSeconds(message.header.stamp), Input(message)) ==
+                       tws::TimeOrder<Input>::Result::kAccepted;
+  if (!in_time) take(message);
+  drain();
+  return in_time;
+}
+
+void TrackerEvaluation::finish() {
+  order_.flush();
+  drain();
+}
+
+void TrackerEvaluation::drain() {
+  while (const auto item = order_.pop()) std::visit([this](const auto& message) { take(message); }, item->value);
+}
+
+void TrackerEvaluation::take(const tws_msgs::Tracks& message) {
+  radar_ = message.radar;
+  picture_.add(message);
+  addUpdates(message);
+}
+
+void TrackerEvaluation::addUpdates(const tws_msgs::Tracks& message) {
+  for (const tws_msgs::Track& track : message.tracks) {
+    const double update = tws_runtime::toSeconds(track.last_update);
+    double& known = last_update_[track.uid];
+    if (track.state != tws_msgs::Track::FIRM || update <= known || !faultOf(track).empty()) continue;
+    known = update;
+    identity.addUpdate(update, track.uid, tws::planarFromPolar(track.range, track.azimuth));
+  }
+}
+
+void TrackerEvaluation::take(const tws_msgs::Truth& message) {
+  Epoch epoch;
+  epoch.time = tws_runtime::toSeconds(message.header.stamp);
+  epoch.truths = truthsOf(message, find_site_(radar_, message.header.frame_id), params_.filter);
+  epoch.tracks = picture_.at(epoch.time);
+  if (!evaluator_) {
+    EvaluatorParams params = params_.evaluator;
+    params.from += epoch.time;
+    evaluator_.emplace(params, params_.profiles);
+  }
+  try {
+    evaluator_->add(epoch);
+  } catch (const std::invalid_argument&) {
+    return;  // A second message of one instant.
+  }
+  ++epochs_;
+  if (on_epoch_) on_epoch_(epoch, *evaluator_);
+}
+
+}  // namespace track_evaluation

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <tws_core/time_order.h>
+#include <tws_msgs/Tracks.h>
+#include <tws_msgs/Truth.h>
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <variant>
+
+#include "evaluation_params.h"
+#include "evaluator.h"
+#include "identity.h"
+#include "timing.h"
+#include "track_picture.h"
+
+namespace track_evaluation {
+
+/// One tracker against truth: joins both by time and feeds the metrics, whatever the order in which they arrive.
+class TrackerEvaluation {
+ public:
+  /// Where the tracker's radar stands in the frame of the truth [m].
+  using FindSite = std::function<Eigen::Vector3d(const std::string& radar, const std::string& frame)>;
+  using OnEpoch = std::function<void(const Epoch&, const Evaluator&)>;
+
+  TrackerEvaluation(const EvaluationParams& params, FindSite find_site, OnEpoch on_epoch);
+
+  /// False: it came too late, and (truth) was left out or (tracks) will show later than it should.
+  bool add(const tws_msgs::Truth& message);
+  bool add(const tws_msgs::Tracks& message);
+  /// No more will come.
+  void finish();
+
+  const Evaluator* evaluator() const { return evaluator_ ? &*evaluator_ : nullptr; }
+  std::size_t epochs() const { return epochs_; }
+  Timing timing;
+  IdentityMetrics identity;
+
+ private:
+  using Input = std::variant<tws_msgs::Tracks, tws_msgs::Truth>;
+  void drain();
+  void take(const tws_msgs::Tracks& message);
+  void take(const tws_msgs::Truth& message);
+  void addUpdates(const tws_msgs::Tracks& message);
+
+  const EvaluationParams& params_;
+  FindSite find_site_;
+  OnEpoch on_epoch_;
+  tws::TimeOrder<Input> order_;
+  TrackPicture picture_;
+  std::optional<Evaluator> evaluator_;
+  std::string radar_;  // of the latest message
+  std::map<std::uint32_t, double> last_update_;
+  std::size_t epochs_ = 0;
+};
+
+}  // namespace track_evaluation

@@ -1,0 +1,55 @@
+#include "truth_messages.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace track_evaluation {
+namespace {
+
+bool among(const std::vector<std::uint8_t>& kinds, std::uint8_t kind) {
+  return std::find(kinds.begin(), kinds.end(), kind) != kinds.end();
+}
+
+/// Also where nobody says how well a radar sees it.
+bool inCover(const tws_msgs::TruthTarget& target, double least) {
+  const auto& chances = target.detection_probability;
+  return chances.empty() || *std::max_element(chances.begin(), chances.end()) >= least;
+}
+
+TruthState stateOf(const tws_msgs::TruthTarget& target, const Eigen::Vector3d& site) {
+  const Eigen::Vector3d position(target.position.x, target.position.y, target.position.z);
+  const Eigen::Vector3d velocity(target.velocity.x, target.velocity.y, target.velocity.z);
+  TruthState truth;
+  truth.id = target.id;
+  truth.ground = {position.head<2>(), velocity.head<2>()};
+  truth.slant = onSlantPlane(position, velocity, site);
+  truth.mode_3a = target.mode_3a;
+  truth.height = position.z();
+  return truth;
+}
+
+}  // namespace
+
+std::string faultOf(const tws_msgs::TruthTarget& target) {
+  const auto& p = target.position;
+  const auto& v = target.velocity;
+  const std::pair<const char*, double> numbers[] = {{"position.x", p.x}, {"position.y", p.y}, {"position.z", p.z},
+                                                    {"velocity.x", v.x}, {"velocity.y", v.y}, {"velocity.z", v.z}};
+  for (const auto& [name, value] : numbers)
+    if (!std::isfinite(value)) return std::string(name) + " is " + std::to_string(value);
+  return "";
+}
+
+std::vector<TruthState> truthsOf(const tws_msgs::Truth& message, const Eigen::Vector3d& site,
+                                 const TruthFilter& filter) {
+  std::vector<TruthState> truths;
+  for (const tws_msgs::TruthTarget& target : message.targets) {
+    const bool required = among(filter.required_kinds, target.kind);
+    if ((!required && !among(filter.tolerated_kinds, target.kind)) || !faultOf(target).empty()) continue;
+    truths.push_back(stateOf(target, site));
+    truths.back().required = required && inCover(target, filter.least_detection_probability);
+  }
+  return truths;
+}
+
+}  // namespace track_evaluation
