@@ -2,9 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <sstream>
 #include <stdexcept>
 
 #include "epoch_test_helpers.h"
+#include "identity_csv.h"
 
 namespace track_evaluation {
 namespace {
@@ -85,6 +87,19 @@ TEST(Identity, RefusesWhatIsNoNumber) {
   IdentityMetrics metrics;
   EXPECT_THROW(metrics.addPlot(std::nan(""), 1, {0, 0}), std::invalid_argument);
   EXPECT_THROW(metrics.addUpdate(0.0, 1, {0, std::nan("")}), std::invalid_argument);
+}
+
+TEST(Identity, ReadsPlotsFromAFileByTheNamesOfItsColumns) {
+  IdentityMetrics metrics(small());
+  std::istringstream file(
+      "mode3a,t_s,radar,range_m,az_deg\n1234,0,a,1000,90\n1234,4,a,1000,90\n,4,a,1,1\n1234,8,a,1000,90\n");
+  readPlots(file, "p.csv", metrics);
+  metrics.addUpdate(4.0, 7, {1000.0, 0.0});
+  EXPECT_EQ(valueOf(metrics.report(), "identified_plots"), 3.0);
+  EXPECT_NEAR(valueOf(metrics.report(), "update_probability"), 1.0 / 3.0, 1e-12);
+  std::istringstream bad("mode3a,t_s,range_m,az_deg\n1289,0,1000,90\n"), poor("t_s,range_m,az_deg\n");
+  EXPECT_THROW(readPlots(bad, "p.csv", metrics), std::runtime_error);
+  EXPECT_THROW(readPlots(poor, "p.csv", metrics), std::runtime_error);
 }
 
 }  // namespace

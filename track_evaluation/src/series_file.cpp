@@ -8,6 +8,8 @@
 namespace track_evaluation {
 namespace {
 
+constexpr double kForever = std::numeric_limits<double>::infinity();
+
 /// Of the pairs with a required truth.
 double rmsError(const Epoch& epoch, const std::vector<int>& track_of) {
   std::vector<double> errors;
@@ -34,9 +36,9 @@ void SeriesFile::openPicture(std::ostream& out, double period) {
 
 void SeriesFile::add(const std::string& tracker, const Epoch& epoch, const Evaluator& evaluator) {
   if (series_ != nullptr && evaluator.epochs() > 0) addSeries(tracker, epoch, evaluator);
-  double& next = next_[tracker];
+  double& next = next_.try_emplace(tracker, -kForever).first->second;
   if (picture_ == nullptr || epoch.time < next) return;
-  next = (std::floor(epoch.time / period_) + 1.0) * period_;
+  if (period_ > 0.0) next = (std::floor(epoch.time / period_) + 1.0) * period_;
   addPicture(tracker, epoch);
 }
 
@@ -51,17 +53,24 @@ void SeriesFile::addSeries(const std::string& tracker, const Epoch& epoch, const
   *series_ << tracker << text;
 }
 
+void SeriesFile::addTrack(const std::string& tracker, double time, std::uint32_t id, const Eigen::Vector2d& position) {
+  if (picture_ != nullptr) addPlace(tracker, time, "track", id, position);
+}
+
+void SeriesFile::addPlace(const std::string& tracker, double time, const char* what, std::uint32_t id,
+                          const Eigen::Vector2d& position) {
+  char text[200];
+  std::snprintf(text, sizeof text, ",%.4f,%s,%u,%.1f,%.1f\n", time, what, id, position.x(), position.y());
+  *picture_ << tracker << text;
+}
+
 void SeriesFile::addPicture(const std::string& tracker, const Epoch& epoch) {
-  const auto row = [&](const char* what, std::uint32_t id, const Eigen::Vector2d& position) {
-    char text[200];
-    std::snprintf(text, sizeof text, ",%.4f,%s,%u,%.1f,%.1f\n", epoch.time, what, id, position.x(), position.y());
-    *picture_ << tracker << text;
-  };
   const bool flat =
       std::any_of(epoch.tracks.begin(), epoch.tracks.end(), [](const TrackState& track) { return !track.has_height; });
   for (const TruthState& truth : epoch.truths)
-    row(truth.required ? "required" : "tolerated", truth.id, (flat ? truth.slant : truth.ground).position);
-  for (const TrackState& track : epoch.tracks) row("track", track.id, track.state.position);
+    addPlace(tracker, epoch.time, truth.required ? "required" : "tolerated", truth.id,
+             (flat ? truth.slant : truth.ground).position);
+  for (const TrackState& track : epoch.tracks) addPlace(tracker, epoch.time, "track", track.id, track.state.position);
 }
 
 }  // namespace track_evaluation

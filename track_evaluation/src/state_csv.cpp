@@ -2,72 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <fstream>
 #include <map>
-#include <sstream>
 #include <stdexcept>
+
+#include "csv_table.h"
 
 namespace track_evaluation {
 namespace {
-
-std::vector<std::string> cells(const std::string& line) {
-  std::vector<std::string> cells;
-  std::istringstream stream(line);
-  for (std::string cell; std::getline(stream, cell, ',');) {
-    const auto begin = cell.find_first_not_of(" \t\r"), end = cell.find_last_not_of(" \t\r");
-    cells.push_back(begin == std::string::npos ? "" : cell.substr(begin, end - begin + 1));
-  }
-  return cells;
-}
-
-class RowReader {
- public:
-  RowReader(std::istream& input, std::string name) : name_(std::move(name)) {
-    std::string line;
-    if (!std::getline(input, line)) fail("is empty");
-    header_ = cells(line);
-    if (header_.size() < 4) fail("wants columns t_s,id,x_m,y_m[,vx_mps,vy_mps]");
-    while (std::getline(input, line)) {
-      ++line_;
-      if (line.find_first_not_of(" \t\r") != std::string::npos) read(cells(line));
-    }
-  }
-  std::vector<CsvState> states;
-
- private:
-  [[noreturn]] void fail(const std::string& reason) const {
-    throw std::runtime_error(name_ + ":" + std::to_string(line_) + ": " + reason);
-  }
-
-  double number(const std::vector<std::string>& row, std::size_t column) const {
-    char* end = nullptr;
-    const double value = std::strtod(row[column].c_str(), &end);
-    if (row[column].empty() || *end != '\0' || !std::isfinite(value))
-      fail(header_[column] + " '" + row[column] + "' is no number");
-    return value;
-  }
-
-  void read(const std::vector<std::string>& row) {
-    if (row.size() != header_.size())
-      fail(std::to_string(row.size()) + " values under " + std::to_string(header_.size()) + " column names");
-    for (std::size_t i = 4; i < row.size(); ++i)
-      if (header_[i] == "status" && row[i] == "tentative") return;
-    CsvState state;
-    state.time = std::round(number(row, 0) * 1e4) / 1e4;
-    const double id = number(row, 1);
-    if (id < 0.0 || id > 4294967295.0 || id != std::floor(id)) fail("id '" + row[1] + "' is no whole number from 0");
-    state.id = static_cast<std::uint32_t>(id);
-    state.state.position = {number(row, 2), number(row, 3)};
-    const bool fast = row.size() >= 6;
-    state.state.velocity = {fast ? number(row, 4) : kUnknown, fast ? number(row, 5) : kUnknown};
-    states.push_back(state);
-  }
-
-  std::string name_;
-  std::size_t line_ = 1;
-  std::vector<std::string> header_;
-};
 
 TrackState trackOf(const CsvState& row, double time) {
   TrackState track;
@@ -120,7 +62,20 @@ void addResampled(std::map<double, Epoch>& epochs, const std::vector<CsvState>& 
 }  // namespace
 
 std::vector<CsvState> readStates(std::istream& input, const std::string& name) {
-  std::vector<CsvState> states = RowReader(input, name).states;
+  CsvTable table(input, name);
+  if (table.columns() < 4) table.fail("wants columns t_s,id,x_m,y_m[,vx_mps,vy_mps]");
+  const std::size_t status = table.find("status");
+  const bool fast = table.columns() >= 6;
+  std::vector<CsvState> states;
+  while (table.next()) {
+    if (status < table.columns() && table.text(status) == "tentative") continue;
+    CsvState& state = states.emplace_back();
+    state.time = std::round(table.number(0) * 1e4) / 1e4;
+    state.id = table.whole(1);
+    state.state.position = {table.number(2), table.number(3)};
+    state.state.velocity = {fast ? table.number(4) : kUnknown, fast ? table.number(5) : kUnknown};
+    state.coasting = status < table.columns() && table.text(status) == "coasting";
+  }
   std::stable_sort(states.begin(), states.end(), [](const auto& a, const auto& b) { return a.time < b.time; });
   return states;
 }

@@ -13,7 +13,8 @@ namespace track_evaluation {
 struct CsvState {
   double time = 0.0;  ///< [s], rounded to 0.1 ms: what is equal then belongs to one epoch
   std::uint32_t id = 0;
-  PlanarState state;  ///< Velocity NaN when the file has none.
+  PlanarState state;      ///< Velocity NaN when the file has none.
+  bool coasting = false;  ///< Its status says so: no detection stands behind this row.
 };
 
 /// Reads such a file: a line of column names, then rows; the first six columns count. Rows whose column `status` says

@@ -37,7 +37,7 @@ TEST(StateCsv, LeavesOutTentativeTracks) {
 }
 
 TEST(StateCsv, NamesFileLineAndReason) {
-  EXPECT_EQ(reason("1,1,0,0,0,0\n1,x,0,0,0,0\n"), "f.csv:3: id 'x' is no number");
+  EXPECT_EQ(reason("1,1,0,0,0,0\n1,x,0,0,0,0\n"), "f.csv:3: id 'x' is no whole number from 0");
   EXPECT_EQ(reason("1,1,0,nan,0,0\n"), "f.csv:2: y_m 'nan' is no number");
   EXPECT_EQ(reason("1,1.5,0,0,0,0\n"), "f.csv:2: id '1.5' is no whole number from 0");
   EXPECT_EQ(reason("1,1,0\n"), "f.csv:2: 3 values under 6 column names");
