@@ -21,7 +21,7 @@ class OfflineGraph {
   OfflineGraph(const std::vector<NodeDescription>& nodes, std::ostream& log);
 
   tws_runtime::LocalGraph& graph() { return graph_; }
-  /// The simulators among the nodes.
+  /// The simulators and recordings among the nodes.
   std::vector<tws_runtime::Source*> sources() const;
   /// The launch file's progress node. Throws std::runtime_error when it has none.
   ProgressNode& progress();

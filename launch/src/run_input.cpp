@@ -1,5 +1,6 @@
 #include "run_input.h"
 
+#include <asterix_bridge/asterix_node.h>
 #include <radar_sim/radar_sim_node.h>
 #include <rosbag/bag.h>
 #include <rosbag/view.h>
@@ -43,18 +44,34 @@ void readBag(RunInput& input, std::optional<double> duration) try {
   throw std::runtime_error(input.path + ": " + error.what());
 }
 
+// Radars of one recording seldom stand at one site, and only such may feed one tracker.
+void readRecording(RunInput& input, std::optional<double> duration) {
+  const asterix_bridge::RecordingSummary summary = asterix_bridge::inspectRecording(input.path);
+  if (!summary.radars.empty()) input.radars = {summary.radars.front()};
+  input.length = std::min(summary.length, duration.value_or(summary.length));
+}
+
+bool endsWith(const std::string& text, const std::string& ending) {
+  return text.size() >= ending.size() && text.compare(text.size() - ending.size(), ending.size(), ending) == 0;
+}
+
 }  // namespace
 
-bool isBag(const std::string& path) {
-  const std::string ending = ".bag";
-  return path.size() >= ending.size() && path.compare(path.size() - ending.size(), ending.size(), ending) == 0;
+bool isBag(const std::string& path) { return endsWith(path, ".bag"); }
+
+bool isRecording(const std::string& path) {
+  return !isBag(path) && !endsWith(path, ".yaml") && !endsWith(path, ".yml");
 }
 
 RunInput inspectInput(const std::string& path, std::optional<double> duration) {
   RunInput input;
   input.path = path;
   input.is_bag = isBag(path);
-  input.is_bag ? readBag(input, duration) : readScenario(input, duration);
+  input.is_recording = isRecording(path);
+  if (input.is_bag)
+    readBag(input, duration);
+  else
+    input.is_recording ? readRecording(input, duration) : readScenario(input, duration);
   if (input.radars.empty()) throw std::runtime_error(path + ": no rotating radar in it");
   return input;
 }

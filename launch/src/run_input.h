@@ -6,18 +6,23 @@
 
 namespace tws_launch {
 
-/// What a run needs to know of its scenario or bag beforehand.
+/// What a run needs to know of its scenario, bag or ASTERIX recording beforehand.
 struct RunInput {
   std::string path;
   bool is_bag = false;
-  std::vector<std::string> radars;  ///< Names of the rotating radars, by name.
+  bool is_recording = false;        ///< Of ASTERIX.
+  std::vector<std::string> radars;  ///< Names of the rotating radars, by name; of a recording only the busiest one.
   double length = 0.0;              ///< Data time from start to end [s].
 };
 
 /// Whether a path is taken for a recorded run: it ends in ".bag".
 bool isBag(const std::string& path);
 
-/// Reads a scenario (whatever its name) or a bag (*.bag), of which a run may be limited to a `duration` [s]. Throws
+/// Whether a path is taken for an ASTERIX recording: it ends neither as a bag nor in ".yaml" or ".yml", as scenarios
+/// do.
+bool isRecording(const std::string& path);
+
+/// Reads a scenario, a bag or an ASTERIX recording, of which a run may be limited to a `duration` [s]. Throws
 /// std::runtime_error, one line that names the file and, in a scenario, the line, when it cannot be read, is wrong or
 /// has no rotating radar.
 RunInput inspectInput(const std::string& path, std::optional<double> duration = std::nullopt);

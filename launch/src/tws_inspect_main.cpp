@@ -6,10 +6,14 @@
 
 int main(int argc, char** argv) {
   return tws_launch::guarded("tws_inspect", [&] {
-    CLI::App app("Says what the launch files want to know of a scenario or bag, as arguments for them, one a line.",
-                 "tws_inspect");
+    CLI::App app(
+        "Says what the launch files want to know of a scenario, bag or ASTERIX recording, as arguments for them, one a "
+        "line.",
+        "tws_inspect");
     std::string path;
-    app.add_option("input", path, "scenario (YAML) or recorded run (*.bag)")->required()->check(CLI::ExistingFile);
+    app.add_option("input", path, "scenario (*.yaml), recorded run (*.bag) or ASTERIX recording")
+        ->required()
+        ->check(CLI::ExistingFile);
     std::optional<double> duration;
     tws_launch::addDuration(app, duration);
     if (const auto status = tws_launch::parse(app, argc, argv)) return *status;

@@ -30,15 +30,22 @@ std::string seedProblem(const std::string& text) {
   return good ? "" : "wants a whole number from 0, not " + text;
 }
 
+/// The launch file of this input, and the argument that takes its path.
+std::pair<std::string, std::string> launchFileOf(const tws_launch::RunInput& input) {
+  if (input.is_bag) return {"replay.launch", "bag"};
+  if (input.is_recording) return {"asterix.launch", "file"};
+  return {"run.launch", "scenario"};
+}
+
 /// The graph that roslaunch would start for this input.
 std::vector<tws_launch::NodeDescription> describe(const Options& options, const tws_launch::RunInput& input) {
   std::string radars;
   for (const std::string& radar : input.radars) radars += (radars.empty() ? "" : " ") + radar;
+  const auto [launch_file, argument] = launchFileOf(input);
   std::vector<std::string> arguments{"radars:=" + radars, "params:=" + options.params, "rviz:=false",
-                                     "length:=" + std::to_string(input.length),
-                                     (input.is_bag ? "bag:=" : "scenario:=") + input.path};
+                                     "length:=" + std::to_string(input.length), argument + ":=" + input.path};
   if (options.seed) arguments.push_back("seed:=" + std::to_string(*options.seed));
-  return tws_launch::describeGraph(input.is_bag ? "replay.launch" : "run.launch", arguments);
+  return tws_launch::describeGraph(launch_file, arguments);
 }
 
 void run(const Options& options) {
@@ -70,7 +77,7 @@ int main(int argc, char** argv) {
   return tws_launch::guarded("tws_offline", [&] {
     Options options;
     CLI::App app("Runs the whole graph in one process, without a ROS master, as fast as it goes.", "tws_offline");
-    app.add_option("input", options.input, "scenario (YAML) or recorded run (*.bag)")
+    app.add_option("input", options.input, "scenario (*.yaml), recorded run (*.bag) or ASTERIX recording")
         ->required()
         ->check(CLI::ExistingFile);
     app.add_option("--out", options.out, "folder for run.bag");
@@ -78,8 +85,9 @@ int main(int argc, char** argv) {
     app.add_option("--seed", options.seed, "of the random numbers, in place of the scenario's")->check(seedProblem);
     tws_launch::addDuration(app, options.duration);
     if (const auto status = tws_launch::parse(app, argc, argv)) return *status;
-    if (options.seed && tws_launch::isBag(options.input)) {
-      std::cerr << "tws_offline: --seed is for scenarios; a bag has no random numbers\n";
+    if (options.seed && (tws_launch::isBag(options.input) || tws_launch::isRecording(options.input))) {
+      std::cerr << "tws_offline: --seed is for scenarios; "
+                << (tws_launch::isBag(options.input) ? "a bag" : "a recording") << " has no random numbers\n";
       return 2;
     }
     std::signal(SIGINT, [](int) { interrupted = 1; });

@@ -111,4 +111,20 @@ void runLive(RosBus& bus, Source& source, const LiveOptions& options) {
   if (ros::ok()) spinFor(options.linger);
 }
 
+void runFeed(RosBus& bus, Feed& feed) {
+  constexpr double kPollPeriod = 0.005;  // [s]
+  Publisher<rosgraph_msgs::Clock> clock = bus.advertise<rosgraph_msgs::Clock>("/clock");
+  ros::WallTime told;
+  while (ros::ok()) {
+    const std::optional<ros::Time> time = feed.poll();
+    if (time && (ros::WallTime::now() - told).toSec() >= kClockPeriod) {
+      rosgraph_msgs::Clock message;
+      message.clock = *time;
+      clock.publish(message);
+      told = ros::WallTime::now();
+    }
+    spinFor(kPollPeriod);
+  }
+}
+
 }  // namespace tws_runtime

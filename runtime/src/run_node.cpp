@@ -40,4 +40,11 @@ int runSourceNode(int argc, char** argv, const std::string& name, const SourceFa
   });
 }
 
+int runFeedNode(int argc, char** argv, const std::string& name, const FeedFactory& makeFeed) {
+  return runGuarded(argc, argv, name, [&](RosBus& bus) {
+    const std::unique_ptr<Feed> feed = makeFeed(bus);
+    runFeed(bus, *feed);
+  });
+}
+
 }  // namespace tws_runtime

@@ -34,6 +34,10 @@ LiveOptions readLiveOptions(const YAML::Node& tree, const std::string& where);
 /// ended, or ROS shuts down.
 void runLive(RosBus& bus, Source& source, const LiveOptions& options);
 
+/// Polls `feed` every few milliseconds of wall time and publishes its data time on /clock. Handlers, timers and
+/// services of the Bus are called in between. Returns when ROS shuts down.
+void runFeed(RosBus& bus, Feed& feed);
+
 /// Steps the sources of a graph as fast as possible, the one with the earliest next time first (of equal ones the first
 /// in the list), and drains the queue after each step. Ends when all have ended, when the next step lies more than
 /// `duration` after the first one, or when `goOn` (asked before each step) says false.
@@ -43,11 +47,14 @@ void runOffline(LocalGraph& graph, const std::vector<Source*>& sources, ros::Dur
 /// Makes a node on its Bus. The pointer only keeps it alive.
 using NodeFactory = std::function<std::shared_ptr<void>(Bus& bus)>;
 using SourceFactory = std::function<std::unique_ptr<Source>(Bus& bus)>;
+using FeedFactory = std::function<std::unique_ptr<Feed>(Bus& bus)>;
 
 /// The whole of a node's main(): runs it over roscpp until ROS shuts down. Returns the exit status: 0, 2 after a
 /// ParameterError, 1 after any other exception; the reason has gone to the standard error in one line.
 int runNode(int argc, char** argv, const std::string& name, const NodeFactory& makeNode);
 /// The same for a node that is a source: runs it by runLive with the options under ~live, and ends with it.
 int runSourceNode(int argc, char** argv, const std::string& name, const SourceFactory& makeSource);
+/// The same for a node that is a feed: runs it by runFeed.
+int runFeedNode(int argc, char** argv, const std::string& name, const FeedFactory& makeFeed);
 
 }  // namespace tws_runtime

@@ -20,4 +20,12 @@ class Source {
   virtual std::optional<ros::Time> endTime() const { return std::nullopt; }
 };
 
+/// Something that brings messages when they come, on a clock of its own: a live radar.
+class Feed {
+ public:
+  virtual ~Feed() = default;
+  /// Publishes what has come since the last call, without waiting. Returns the data time now; nothing: not known yet.
+  virtual std::optional<ros::Time> poll() = 0;
+};
+
 }  // namespace tws_runtime

@@ -1,0 +1,117 @@
+#include <asterix_bridge/asterix_node.h>
+
+#include <tws_runtime/conversions.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "asterix_params.h"
+#include "radar_outlet.h"
+#include "report_csv.h"
+
+namespace asterix_bridge {
+
+class AsterixFileNode::Impl {
+ public:
+  explicit Impl(tws_runtime::Bus& bus)
+      : bus_(bus),
+        params_(readFileParams(tws_runtime::ParameterReader(bus.parameters(), bus.name()))),
+        recording_(params_.file),
+        clock_(clockFor(recording_, params_.date)),
+        contents_(contentsOf(recording_, clock_)),
+        outlet_(bus, params_),
+        feed_(clock_, params_.feed, events()),
+        blocks_(recording_.blocks()) {
+    if (contents_.radars.empty()) throw std::runtime_error(params_.file + ": no radar in it");
+    openRadars();
+    fill();
+    end_ = std::min(contents_.end, params_.duration > 0.0 ? contents_.start + params_.duration : contents_.end);
+  }
+
+  std::optional<ros::Time> nextTime() const {
+    if (sectors_.empty() || sectors_.begin()->first.first > end_ + kTail) return std::nullopt;
+    return tws_runtime::toTime(std::max(sectors_.begin()->first.first, published_));
+  }
+
+  void step() {
+    const auto first = sectors_.begin();
+    const auto [time, radar] = first->first;
+    if (time < published_)
+      bus_.counter("late sectors")
+          .add(outlet_.nameOf(radar) + ": its data come more than lookahead_s later than other radars'");
+    published_ = std::max(published_, time);
+    outlet_.publish(radar, first->second);
+    sectors_.erase(first);
+    fill();
+  }
+
+  ros::Time endTime() const { return tws_runtime::toTime(end_); }
+
+ private:
+  static constexpr double kTail = 1.0;  // the sector of the last report closes after it [s]
+
+  /// All of the file's radars, those whose place is known first.
+  void openRadars() {
+    for (const auto& [radar, contents] : contents_.radars) outlet_.open(radar);
+    for (const auto& [radar, contents] : contents_.radars)
+      if (contents.position) outlet_.place(radar, *contents.position);
+    for (const auto& [radar, contents] : contents_.radars) outlet_.placeAtOrigin(radar);
+  }
+
+  RadarFeed::Events events() {
+    RadarFeed::Events events;
+    events.sector = [this](SourceId radar, CutSector&& sector) {
+      const double time = sector.leave_time;
+      sectors_.emplace(std::pair(time, radar), std::move(sector));
+    };
+    events.position = [](SourceId, const tws::Geodetic&) {};
+    events.fault = [this](const std::string& counter, const std::string& reason) { bus_.counter(counter).add(reason); };
+    events.left_out = [this](const std::string& counter) { bus_.counter(counter).add(); };
+    return events;
+  }
+
+  /// Reads on until it is sure that no radar has an earlier sector to come.
+  void fill() {
+    while (blocks_ && (sectors_.empty() || feed_.now() < sectors_.begin()->first.first + params_.lookahead)) {
+      if (const auto step = blocks_->next()) {
+        feed_.add(*step, params_.file);
+      } else {
+        feed_.finish();
+        blocks_.reset();
+      }
+    }
+  }
+
+  tws_runtime::Bus& bus_;
+  const AsterixParams params_;
+  const Recording recording_;
+  const DataClock clock_;
+  const Contents contents_;
+  RadarOutlet outlet_;
+  std::multimap<std::pair<double, SourceId>, CutSector> sectors_;  // by the time at which they close
+  RadarFeed feed_;
+  std::unique_ptr<BlockFinder> blocks_;
+  double published_ = 0.0;  // the time of the latest sector that went out
+  double end_ = 0.0;
+};
+
+AsterixFileNode::AsterixFileNode(tws_runtime::Bus& bus) : impl_(std::make_unique<Impl>(bus)) {}
+AsterixFileNode::~AsterixFileNode() = default;
+std::optional<ros::Time> AsterixFileNode::nextTime() const { return impl_->nextTime(); }
+void AsterixFileNode::step() { impl_->step(); }
+std::optional<ros::Time> AsterixFileNode::endTime() const { return impl_->endTime(); }
+
+RecordingSummary inspectRecording(const std::string& path) {
+  const Recording recording(path);
+  const Contents contents = contentsOf(recording, clockFor(recording, std::nullopt));
+  RecordingSummary summary;
+  summary.framing = toText(recording.framing());
+  std::vector<std::pair<std::uint64_t, SourceId>> busiest;
+  for (const auto& [radar, its] : contents.radars) busiest.emplace_back(its.reports, radar);
+  std::stable_sort(busiest.begin(), busiest.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+  for (const auto& [reports, radar] : busiest) summary.radars.push_back(radarName(radar));
+  if (std::isfinite(contents.start)) summary.length = contents.end - contents.start;
+  return summary;
+}
+
+}  // namespace asterix_bridge

@@ -1,0 +1,90 @@
+#include <asterix_bridge/asterix_node.h>
+
+#include <tws_runtime/conversions.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "radar_outlet.h"
+#include "udp_receiver.h"
+
+namespace asterix_bridge {
+namespace {
+
+double wallTime() { return ros::WallTime::now().toSec(); }
+
+/// Data time as the feed shows it, going on with the wall clock between its data: the greatest lead of the data over
+/// the wall clock in the last minute or two.
+class FeedTime {
+ public:
+  void hear(double data, double wall) {
+    constexpr double kMinute = 60.0, kNewRun = 10.0;
+    const double lead = data - wall;
+    if (wall - since_ > kMinute || lead < lead_ - kNewRun) {
+      last_lead_ = lead < lead_ - kNewRun ? lead : lead_;
+      lead_ = lead;
+      since_ = wall;
+    }
+    lead_ = std::max(lead_, lead);
+  }
+  double at(double wall) const { return wall + std::max(lead_, last_lead_); }
+
+ private:
+  double lead_ = -std::numeric_limits<double>::infinity();
+  double last_lead_ = -std::numeric_limits<double>::infinity();
+  double since_ = 0.0;
+};
+
+}  // namespace
+
+class AsterixUdpNode::Impl {
+ public:
+  explicit Impl(tws_runtime::Bus& bus)
+      : bus_(bus),
+        params_(readUdpParams(tws_runtime::ParameterReader(bus.parameters(), bus.name()))),
+        outlet_(bus, params_),
+        feed_(DataClock(wallTime()), params_.feed, events()) {
+    for (const UdpAddress& address : params_.udp) receivers_.emplace_back(address);
+    for (const auto& [radar, setting] : params_.radars) outlet_.open(radar);
+  }
+
+  std::optional<ros::Time> poll() {
+    for (UdpReceiver& receiver : receivers_)
+      receiver.receive([this](Bytes datagram, const std::string& sender) { hear(datagram, sender); });
+    if (feed_.records() == 0) return std::nullopt;
+    return tws_runtime::toTime(time_.at(wallTime()));
+  }
+
+ private:
+  void hear(Bytes datagram, const std::string& sender) {
+    bus_.counter("datagrams").add();
+    const std::uint64_t before = feed_.records();
+    for (const FramingStep& step : blocksOfDatagram(datagram)) feed_.add(step, sender);
+    if (feed_.records() > before) time_.hear(feed_.now(), wallTime());
+  }
+
+  RadarFeed::Events events() {
+    RadarFeed::Events events;
+    events.sector = [this](SourceId radar, CutSector&& sector) {
+      outlet_.placeWhenLate(radar);
+      outlet_.publish(radar, sector);
+    };
+    events.position = [this](SourceId radar, const tws::Geodetic& position) { outlet_.place(radar, position); };
+    events.fault = [this](const std::string& counter, const std::string& reason) { bus_.counter(counter).add(reason); };
+    events.left_out = [this](const std::string& counter) { bus_.counter(counter).add(); };
+    return events;
+  }
+
+  tws_runtime::Bus& bus_;
+  const AsterixParams params_;
+  RadarOutlet outlet_;
+  RadarFeed feed_;
+  FeedTime time_;
+  std::vector<UdpReceiver> receivers_;
+};
+
+AsterixUdpNode::AsterixUdpNode(tws_runtime::Bus& bus) : impl_(std::make_unique<Impl>(bus)) {}
+AsterixUdpNode::~AsterixUdpNode() = default;
+std::optional<ros::Time> AsterixUdpNode::poll() { return impl_->poll(); }
+
+}  // namespace asterix_bridge

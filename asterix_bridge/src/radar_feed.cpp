@@ -1,0 +1,57 @@
+#include "radar_feed.h"
+
+#include <cmath>
+
+#include "report_csv.h"
+
+namespace asterix_bridge {
+
+RadarFeed::RadarFeed(DataClock clock, Options options, Events events)
+    : options_(options),
+      events_(std::move(events)),
+      stream_(clock, {[this](const TargetReport& report, double time) { add(report, time); },
+                      [this](const ServiceMessage& message, double time) { add(message, time); },
+                      [this](FaultKind kind, const BlockFault& fault) {
+                        const std::string place = origin_ + ", byte " + std::to_string(fault.offset) + ": ";
+                        events_.fault(toText(kind), place + fault.reason);
+                      }}) {}
+
+void RadarFeed::add(const FramingStep& step, const std::string& origin) {
+  origin_ = origin;
+  stream_.add(step);
+  for (auto& [radar, cutter] : cutters_) cutter.advance(now());
+}
+
+void RadarFeed::finish() {
+  for (auto& [radar, cutter] : cutters_) cutter.finish();
+}
+
+void RadarFeed::add(const TargetReport& report, double time) {
+  const std::string radar = radarName(*report.source);
+  if (report.test_target && !options_.test_targets) return events_.left_out("test targets");
+  if (!report.primary && !report.secondary) return events_.left_out("reports without detection");
+  if (std::isnan(time)) return events_.fault("reports without time", "from " + radar);
+  if (!(report.range > 0.0)) return events_.fault("reports without measured position", "from " + radar);
+  cutterOf(*report.source).add(report, time);
+}
+
+void RadarFeed::add(const ServiceMessage& message, double time) {
+  SectorCutter& cutter = cutterOf(*message.source);
+  if (message.position) events_.position(*message.source, *message.position);
+  if (message.antenna_period > 0.0) cutter.setNominalPeriod(message.antenna_period);
+  if (message.type == kNorthMarker) cutter.mark(time, 0.0);
+  if (message.type == kSectorCrossing && !std::isnan(message.sector_azimuth)) cutter.mark(time, message.sector_azimuth);
+}
+
+SectorCutter& RadarFeed::cutterOf(SourceId radar) {
+  const auto found = cutters_.find(radar);
+  if (found != cutters_.end()) return found->second;
+  SectorCutter::Events events;
+  events.sector = [this, radar](CutSector&& sector) { events_.sector(radar, std::move(sector)); };
+  events.fault = [this, radar](const std::string& counter, const std::string& reason) {
+    events_.fault(counter, radarName(radar) + ": " + reason);
+  };
+  return cutters_.try_emplace(radar, options_.sectors, std::move(events)).first->second;
+}
+
+}  // namespace asterix_bridge

@@ -1,0 +1,140 @@
+#include "sector_cutter.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+
+#include <tws_core/sectors.h>
+
+namespace asterix_bridge {
+namespace {
+
+constexpr std::size_t kMostWaiting = 100000;
+
+std::string seconds(double time) {
+  char text[40];
+  std::snprintf(text, sizeof text, "%.3f s", time);
+  return text;
+}
+
+}  // namespace
+
+void SectorCutter::add(const TargetReport& report, double time) {
+  if (!isPossible(time)) return;
+  if (running_ && time < enter_time_)
+    events_.fault(
+        "late reports",
+        "one of " + seconds(time) + " came after its sector was closed, which was left before " + seconds(enter_time_));
+  const auto later = [](double t, const TimedReport& other) { return t < other.time; };
+  reports_.insert(std::upper_bound(reports_.begin(), reports_.end(), time, later), TimedReport{time, report});
+  if (reports_.size() > kMostWaiting) reports_.erase(reports_.begin());
+  beam_.add(time, report.azimuth);
+}
+
+void SectorCutter::mark(double time, double azimuth) {
+  if (!isPossible(time)) return;
+  azimuth == 0.0 ? beam_.addNorth(time) : beam_.add(time, azimuth);
+}
+
+// A time far from the radar's others is wrong, unless those that follow agree with it.
+bool SectorCutter::isPossible(double time) {
+  constexpr double kFarAhead = 60.0;
+  constexpr int kEnough = 5;
+  if (std::isnan(time)) return false;
+  const bool back = newest_ && time < *newest_ - options_.restart;
+  const bool ahead = newest_ && time > *newest_ + kFarAhead;
+  impossible_ = back || ahead ? impossible_ + 1 : 0;
+  if (impossible_ > 0 && impossible_ < kEnough) {
+    events_.fault("reports at impossible times", seconds(time) + " after " + seconds(*newest_));
+    return false;
+  }
+  if (back) {
+    events_.fault("new runs", "time went back from " + seconds(*newest_) + " to " + seconds(time));
+    beginAnew();
+  } else if (newest_ && time > *newest_ + silence()) {
+    events_.fault("silences", "nothing from " + seconds(*newest_) + " to " + seconds(time));
+    finish();
+    beam_.interrupt();
+    running_.reset();
+    reports_.clear();
+    earliest_.reset();
+  }
+  impossible_ = 0;
+  newest_ = std::max(newest_.value_or(time), time);
+  earliest_ = std::min(earliest_.value_or(time), time);
+  return true;
+}
+
+void SectorCutter::beginAnew() {
+  beam_ = Beam();
+  reports_.clear();
+  running_.reset();
+  newest_.reset();
+  earliest_.reset();
+}
+
+void SectorCutter::advance(double feed_time) {
+  if (!newest_) return;
+  const double fixed = running_ ? enter_time_ : -std::numeric_limits<double>::infinity();
+  if (!beam_.learn(*newest_, fixed)) return;
+  // Of a radar that has sent nothing for a turn, not even a mark, nobody knows that its beam still turns.
+  constexpr double kTurns = 1.25;
+  const double led = std::min(feed_time - options_.latency, *newest_ + kTurns * beam_.period());
+  release(std::max(*newest_, led) - options_.settle);
+}
+
+void SectorCutter::finish() {
+  if (!newest_) return;
+  constexpr double kAtOnce = 1.0;
+  if (!beam_.isKnown() && !beam_.learn(*newest_ + kAtOnce, 0.0)) {
+    if (!reports_.empty())
+      events_.fault("reports of an unknown beam",
+                    std::to_string(reports_.size()) + " up to " + seconds(*newest_) + " do not show how it turns");
+    return reports_.clear();
+  }
+  if (!running_) start();
+  while (enter_time_ <= *newest_) close();
+}
+
+void SectorCutter::release(double until) {
+  if (!running_) start();
+  while (beam_.timeAt(static_cast<double>(*running_ + 1) * tws::kSectorWidth) <= until) close();
+}
+
+double SectorCutter::silence() const {
+  constexpr double kTurns = 2.5;
+  const double period = beam_.period();
+  return period > 0.0 ? std::max(options_.silence, kTurns * period) : options_.silence;
+}
+
+// The beam may have been found only after some turns: what was kept of them counts, but not what lies so far back that
+// the beam then is a guess.
+void SectorCutter::start() {
+  constexpr double kFarBack = 100.0;
+  const double oldest = *newest_ - kFarBack;
+  const auto first = std::find_if(reports_.begin(), reports_.end(), [&](const auto& r) { return r.time >= oldest; });
+  const auto lost = first - reports_.begin();
+  if (lost > 0) events_.fault("reports before the beam was known", std::to_string(lost) + " before " + seconds(oldest));
+  reports_.erase(reports_.begin(), first);
+  earliest_ = std::max(*earliest_, oldest);
+  running_ = static_cast<std::int64_t>(std::floor(beam_.azimuthAt(*earliest_) / tws::kSectorWidth));
+  enter_time_ = beam_.timeAt(static_cast<double>(*running_) * tws::kSectorWidth);
+}
+
+void SectorCutter::close() {
+  CutSector sector;
+  sector.running = *running_;
+  sector.sector = static_cast<int>(((*running_ % tws::kSectors) + tws::kSectors) % tws::kSectors);
+  sector.enter_time = enter_time_;
+  running_ = *running_ + 1;
+  enter_time_ = sector.leave_time = beam_.timeAt(static_cast<double>(*running_) * tws::kSectorWidth);
+  sector.period = beam_.period();
+  const auto first = reports_.begin();
+  const auto last = std::find_if(first, reports_.end(), [&](const auto& r) { return r.time >= sector.leave_time; });
+  sector.reports.assign(first, last);
+  reports_.erase(first, last);
+  events_.sector(std::move(sector));
+}
+
+}  // namespace asterix_bridge

@@ -1,0 +1,149 @@
+#include "sector_cutter.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+
+#include <tws_core/angles.h>
+#include <tws_core/sectors.h>
+
+namespace asterix_bridge {
+namespace {
+
+constexpr double kPeriod = 4.0;
+constexpr double kStart = 1000.0;  // the beam points north
+
+// A radar with a report each tenth of a second and north marks, and what comes out.
+class SectorCutterTest : public ::testing::Test {
+ protected:
+  SectorCutterTest()
+      : cutter_({}, {[this](CutSector&& sector) { sectors_.push_back(std::move(sector)); },
+                     [this](const std::string& counter, const std::string&) { ++faults_[counter]; }}) {}
+
+  static TargetReport reportAt(double time) {
+    TargetReport report;
+    report.range = 10000.0;
+    report.azimuth = tws::wrapTwoPi(tws::kTwoPi * (time - kStart) / kPeriod);
+    return report;
+  }
+  void play(double from, double to) {
+    for (long tenth = std::lround(10.0 * from); tenth < std::lround(10.0 * to); ++tenth) {
+      const double time = static_cast<double>(tenth) / 10.0;
+      if (std::abs(std::fmod(time - kStart, kPeriod)) < 0.01) cutter_.mark(time, 0.0);
+      cutter_.add(reportAt(time + 0.01), time + 0.01);
+      cutter_.advance(time + 0.01);
+    }
+  }
+  std::size_t reports() const {
+    std::size_t count = 0;
+    for (const CutSector& sector : sectors_) count += sector.reports.size();
+    return count;
+  }
+
+  std::vector<CutSector> sectors_;
+  std::map<std::string, int> faults_;
+  SectorCutter cutter_;
+};
+
+// If this fails, trackers get detections twice, not at all, or in sectors where the beam was not.
+TEST_F(SectorCutterTest, GivesEachReportOnceInTheSectorThatTheBeamWasIn) {
+  play(kStart, kStart + 60.0);
+  cutter_.finish();
+  EXPECT_EQ(reports(), 600u);
+  EXPECT_TRUE(faults_.empty());
+  for (std::size_t i = 0; i < sectors_.size(); ++i) {
+    const CutSector& sector = sectors_[i];
+    EXPECT_EQ(sector.sector, sector.running % 64);
+    EXPECT_NEAR(sector.leave_time - sector.enter_time, kPeriod / 64.0, 0.01);
+    EXPECT_LT(std::abs(tws::angularDifference(tws::sectorStart(sector.sector),
+                                              tws::kTwoPi * (sector.enter_time - kStart) / kPeriod)),
+              0.01);
+    for (const TimedReport& report : sector.reports) {
+      EXPECT_GE(report.time, sector.enter_time - 1e-9);
+      EXPECT_LT(report.time, sector.leave_time);
+    }
+    if (i == 0) continue;
+    EXPECT_EQ(sector.running, sectors_[i - 1].running + 1);
+    EXPECT_DOUBLE_EQ(sector.enter_time, sectors_[i - 1].leave_time);
+  }
+}
+
+TEST_F(SectorCutterTest, ClosesASectorOnceTheRadarWasHeardASecondBeyondIt) {
+  play(kStart, kStart + 60.0);
+  ASSERT_FALSE(sectors_.empty());
+  EXPECT_LE(sectors_.back().leave_time, kStart + 59.0);
+  EXPECT_GT(sectors_.back().leave_time, kStart + 58.8);
+}
+
+// Reports leave a radar in the order in which they were worked on.
+TEST_F(SectorCutterTest, PutsReportsThatComeOutOfOrderInOrder) {
+  play(kStart, kStart + 40.0);
+  cutter_.add(reportAt(kStart + 39.52), kStart + 39.52);
+  cutter_.finish();
+  EXPECT_EQ(reports(), 401u);
+  EXPECT_TRUE(faults_.empty());
+  for (const CutSector& sector : sectors_)
+    for (std::size_t i = 1; i < sector.reports.size(); ++i)
+      EXPECT_GE(sector.reports[i].time, sector.reports[i - 1].time);
+}
+
+TEST_F(SectorCutterTest, CountsALateReportAndKeepsIt) {
+  play(kStart, kStart + 40.0);
+  cutter_.add(reportAt(kStart + 35.0), kStart + 35.0);
+  cutter_.finish();
+  EXPECT_EQ(faults_["late reports"], 1);
+  EXPECT_EQ(reports(), 401u);
+}
+
+TEST_F(SectorCutterTest, IgnoresASingleReportFromAnotherTime) {
+  play(kStart, kStart + 40.0);
+  cutter_.add(reportAt(kStart + 7000.0), kStart + 7000.0);
+  cutter_.add(reportAt(kStart - 7000.0), kStart - 7000.0);
+  play(kStart + 40.0, kStart + 60.0);
+  cutter_.finish();
+  EXPECT_EQ(faults_["reports at impossible times"], 2);
+  EXPECT_EQ(reports(), 600u);
+}
+
+// A feed that is started again from its beginning, as a recording in a loop.
+TEST_F(SectorCutterTest, BeginsAnewWhenTimeGoesBackForGood) {
+  play(kStart + 400.0, kStart + 440.0);
+  play(kStart, kStart + 40.0);
+  cutter_.finish();
+  EXPECT_EQ(faults_["new runs"], 1);
+  EXPECT_EQ(sectors_.back().running / 64, 10);  // from the second turn on
+  EXPECT_NEAR(sectors_.back().leave_time, kStart + 40.0, 0.1);
+}
+
+// A tracker must not coast through an outage as if the radar had looked and seen nothing.
+TEST_F(SectorCutterTest, IsSilentWhenTheRadarIsAndGoesOnInTheRightSector) {
+  play(kStart, kStart + 40.0);
+  play(kStart + 80.0, kStart + 120.0);
+  cutter_.finish();
+  EXPECT_EQ(faults_["silences"], 1);
+  EXPECT_EQ(reports(), 800u);
+  std::size_t in_gap = 0;
+  for (const CutSector& sector : sectors_)
+    in_gap += sector.enter_time > kStart + 41.0 && sector.leave_time < kStart + 79.0;
+  EXPECT_EQ(in_gap, 0u);
+  EXPECT_NEAR(static_cast<double>(sectors_.back().running - sectors_.front().running), 120.0 / kPeriod * 64.0, 2.0);
+}
+
+TEST_F(SectorCutterTest, GoesOnWithoutPlotsFromMarksAlone) {
+  for (int turn = 0; turn < 20; ++turn) {
+    cutter_.mark(kStart + turn * kPeriod, 0.0);
+    cutter_.advance(kStart + turn * kPeriod);
+  }
+  EXPECT_GT(sectors_.size(), 18u * 64u);
+}
+
+TEST_F(SectorCutterTest, SaysWhenTheBeamWasNeverFound) {
+  cutter_.add(reportAt(kStart), kStart);
+  cutter_.finish();
+  EXPECT_TRUE(sectors_.empty());
+  EXPECT_EQ(faults_["reports of an unknown beam"], 1);
+}
+
+}  // namespace
+}  // namespace asterix_bridge
