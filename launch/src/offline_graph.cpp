@@ -1,6 +1,7 @@
 #include "offline_graph.h"
 
 #include <adit_tracker/adit_node.h>
+#include <asterix_bridge/asterix_node.h>
 #include <radar_sim/radar_sim_node.h>
 #include <track_evaluation/evaluation_node.h>
 
@@ -25,6 +26,8 @@ void OfflineGraph::add(const NodeDescription& node) {
   tws_runtime::Bus& bus = graph_.addNode(node.name, node.parameters, node.remaps);
   if (program == "radar_sim/radar_sim_node")
     sources_.push_back(std::make_unique<radar_sim::RadarSimNode>(bus));
+  else if (program == "asterix_bridge/asterix_file_node")
+    sources_.push_back(std::make_unique<asterix_bridge::AsterixFileNode>(bus));
   else if (program == "adit_tracker/adit_node")
     nodes_.push_back(std::make_shared<adit_tracker::AditNode>(bus));
   else if (program == "track_evaluation/evaluation_node")
