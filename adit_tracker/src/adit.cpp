@@ -169,8 +169,11 @@ void Adit::correlate(const Executive::Turn& turn) {
   listSector(turn, turn.running, primary_);
   if (primary_.empty()) return;
   for (int ahead = 1; ahead <= kSecondarySectors; ++ahead) listSector(turn, turn.running + ahead, secondary_);
-  for (const Correlation& c : correlator_.correlate(tracks_, primary_, secondary_, radarOf(turn), turn.running)) {
-    update(turn, c.slot, *c.detection);
+  constexpr std::size_t kFetchAhead = 3;
+  const auto& pairs = correlator_.correlate(tracks_, primary_, secondary_, radarOf(turn), turn.running);
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    if (i + kFetchAhead < pairs.size()) tracks_.fetchAhead(pairs[i + kFetchAhead].slot);
+    update(turn, pairs[i].slot, *pairs[i].detection);
   }
   for (const auto slot : primary_) {
     if (!metOnThisScan(tracks_.at(slot), turn.radar, turn.running)) miss(turn, slot);
@@ -211,6 +214,7 @@ void Adit::update(const Executive::Turn& turn, TrackFile::Slot slot, Detection& 
   if (judge_.updated(track, turn.radar, log_likelihood, quality, !disputed)) ++counts_.tracks_firm;
   if (detection.claim != Detection::kNoClaim && clutterYieldsTo(track)) clutterOf(turn.radar).disclaim(detection.claim);
   report_.words.push_back({slot, TrackEvent::kUpdated, track.smoothed.time});
+  predictNext(track);
 }
 
 /// Illuminated and not detected: the track coasts by its stored velocities, or has had its time.
@@ -224,6 +228,7 @@ void Adit::miss(const Executive::Turn& turn, TrackFile::Slot slot) {
     drop(slot, time);
   } else {
     report_.words.push_back({slot, TrackEvent::kCoasted, time});
+    predictNext(track);
   }
 }
 
@@ -307,10 +312,9 @@ bool Adit::startTrack(std::size_t radar, const tws::Plot& plot) {
   return true;
 }
 
-/// Predicts the track for its next illumination and puts it into the sector where that will be.
+/// Puts the track into the sector where its next illumination will be.
 void Adit::moveOn(TrackFile::Slot slot, std::size_t radar) {
   if (!dropped_.empty() && std::find(dropped_.begin(), dropped_.end(), slot) != dropped_.end()) return;
-  predictNext(tracks_.at(slot));
   const int from = tracks_.sector(slot);
   int to = tws::sectorOf(tracks_.at(slot).predicted.azimuth);
   for (std::size_t other = 0; other < radars_.size(); ++other) {

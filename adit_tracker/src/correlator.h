@@ -17,8 +17,8 @@ struct Correlation {
 
 /// The report's track correlator: several passes through the tracks with growing regions, so that the closest pairs are
 /// made first. Tracks of two sectors ahead take part without being updated: what is closer to them is not taken by a
-/// track in the primary sector. Cost of a sector: its tracks × (logarithm of the detections in three sectors +
-/// detections in the largest region).
+/// track in the primary sector; those that cannot matter are passed over. Cost of a sector: its tracks × the detections
+/// in range of the largest region.
 class Correlator {
  public:
   explicit Correlator(const AditParams& params) : params_(params) {}
@@ -36,19 +36,49 @@ class Correlator {
     double distance;
     std::size_t gate;  // the smallest region that holds it
   };
+  struct Reach {
+    double range, azimuth;
+  };
+  /// A track and its largest region.
+  struct Asker {
+    TrackFile::Slot slot;
+    std::size_t order;  // who asks first
+    bool primary;
+    std::int64_t sector;  // running number
+    Reach reach;
+    bool asked;
+  };
   struct Entry {
     TrackFile::Slot slot;
+    std::size_t order;
     bool primary;
     bool correlated;
     std::size_t first, last;  // its candidates
   };
 
-  struct Reach {
-    double range, azimuth;
+  /// How far clockwise the candidates lie, by range.
+  class Frontier {
+   public:
+    /// For the sectors around this one, whose detections tell how many bins are worth while.
+    void clear(DetectionFile& detections, std::int64_t sector);
+    void add(double range, double azimuth);
+    /// Might a candidate be in this region? Never no when there is one.
+    bool meets(const Prediction& middle, const Reach& reach) const;
+
+   private:
+    std::size_t binOf(double range) const;
+
+    double azimuth_ = 0.0;  // counted from here [rad]
+    double bin_ = 1.0;      // [m]
+    std::vector<double> farthest_;
   };
 
   Reach reachOf(const Prediction& prediction) const;
-  void gather(const Track& track, TrackFile::Slot slot, bool primary, RadarState& radar, std::int64_t sector);
+  void gather(const Track& track, const Asker& asker, RadarState& radar);
+  void gatherPrimary(const TrackFile& tracks, const std::vector<TrackFile::Slot>& slots, RadarState& radar,
+                     std::int64_t running);
+  void gatherSecondary(const TrackFile& tracks, const std::vector<TrackFile::Slot>& slots, RadarState& radar,
+                       std::int64_t running);
   /// The smallest region that holds the detection, and its distance; kGates: none.
   std::size_t smallestGate(const Track& track, double range_difference, double azimuth_difference,
                            double& distance) const;
@@ -57,6 +87,8 @@ class Correlator {
 
   AditParams params_;
   std::uint64_t run_ = 0;  // flags of earlier runs do not count
+  Frontier frontier_;
+  std::vector<Asker> secondary_;
   std::vector<Entry> entries_;
   std::vector<Candidate> candidates_;
   std::vector<Correlation> correlations_;

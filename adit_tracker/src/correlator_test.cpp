@@ -199,12 +199,12 @@ TEST_F(CorrelatorTest, DoesWhatTheReportSaysInCrowdedSectors) {
     tracks_ = TrackFile(100);
     turn_ += 2;  // Beyond the detections of the run before.
     const int sector = tws::uniformInt(generator, 0, 63);
-    for (int i = tws::uniformInt(generator, 1, 10); i > 0; --i) {
+    for (int i = tws::uniformInt(generator, 1, 10 + 30 * (run % 2)); i > 0; --i) {
       track(tws::uniform(generator, 50e3, 56e3), tws::uniform(generator, sector, sector + 3.0) * kSector,
             tws::uniformInt(generator, 0, 1) == 0);
     }
     std::vector<std::pair<double, double>> places;
-    for (int i = tws::uniformInt(generator, 1, 10); i > 0; --i) {
+    for (int i = tws::uniformInt(generator, 1, 10 + 30 * (run % 2)); i > 0; --i) {
       places.emplace_back(tws::uniform(generator, 50e3, 56e3),
                           tws::uniform(generator, sector - 1.0, sector + 4.0) * kSector);
     }

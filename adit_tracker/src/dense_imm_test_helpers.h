@@ -67,7 +67,7 @@ struct DenseImm {
   Matrix4 p[kModels];
   double mu[kModels];
 
-  void start(const PlanarMeasurement& z) {
+  void start(const PlanarPosition& z) {
     const double straight = params.straight_time / (params.straight_time + params.turning_time);
     for (int i = 0; i < kModels; ++i) {
       x[i] = {z.x, z.y, 0.0, 0.0};
@@ -111,7 +111,7 @@ struct DenseImm {
     }
   }
 
-  double update(const PlanarMeasurement& z, double dt) {
+  double update(const PlanarPosition& z, double dt) {
     mix(dt);
     Matrix24 h = Matrix24::Zero();
     h(0, 0) = h(1, 1) = 1.0;

@@ -1,7 +1,10 @@
 #include "detection_file.h"
 
 #include <algorithm>
+#include <cmath>
 #include <tuple>
+
+#include <tws_core/sectors.h>
 
 namespace adit_tracker {
 
@@ -18,11 +21,26 @@ DetectionSector& DetectionFile::add(const tws::RadarSector& sector) {
   std::sort(slot.detections.begin(), slot.detections.end(), [](const Detection& a, const Detection& b) {
     return std::tie(a.plot.range, a.plot.time, a.plot.azimuth) < std::tie(b.plot.range, b.plot.time, b.plot.azimuth);
   });
-  slot.places.clear();
-  for (const Detection& detection : slot.detections) {
-    slot.places.push_back({detection.plot.range, detection.plot.azimuth});
-  }
+  index(slot);
   return slot;
+}
+
+void DetectionFile::index(DetectionSector& sector) {
+  sector.places.clear();
+  sector.middle =
+      tws::sectorStart(tws::wrapSector(static_cast<int>(sector.running % tws::kSectors))) + 0.5 * tws::kSectorWidth;
+  sector.spread = 0.0;
+  for (const Detection& detection : sector.detections) {
+    sector.places.push_back({detection.plot.range, detection.plot.azimuth});
+    sector.spread = std::max(sector.spread, std::abs(tws::angularDifference(detection.plot.azimuth, sector.middle)));
+  }
+  sector.begins.assign(sector.places.size(), 0);
+  if (sector.places.empty()) return;
+  sector.bin = sector.places.back().range / static_cast<double>(sector.places.size());
+  std::size_t next = 0;
+  for (std::uint32_t i = 0; i < sector.places.size(); ++i) {
+    for (const std::size_t bin = sector.binOf(sector.places[i].range); next <= bin; ++next) sector.begins[next] = i;
+  }
 }
 
 DetectionSector& DetectionFile::at(std::int64_t running) {

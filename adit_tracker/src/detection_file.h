@@ -29,19 +29,41 @@ struct DetectionSector {
   double enter_time = 0.0, leave_time = 0.0;
   std::vector<Detection> detections;  // in order of range
   std::vector<Place> places;          // theirs, side by side for the search
+  std::vector<std::uint32_t> begins;  // of each range bin, in `places`; as many bins as detections
+  double bin = 1.0;                   // width of one [m]
+  // All azimuths lie within `spread` of `middle`: by the errors of the radar, some lie outside of the sector.
+  double middle = 0.0, spread = 0.0;
 
   /// Calls `take(detection, range difference, azimuth difference)` for each unused detection within the half-widths [m,
-  /// rad] of a place. Cost: logarithm of the number in the sector, and those within the range.
+  /// rad] of a place. Cost: those within the range; nothing when all are too far away in azimuth.
   template <class Take>
   void near(double range, double azimuth, double range_gate, double azimuth_gate, const Take& take) {
-    const auto shorter = [](const Place& place, double value) { return place.range < value; };
-    auto place = std::lower_bound(places.begin(), places.end(), range - range_gate, shorter);
-    for (; place != places.end() && place->range <= range + range_gate; ++place) {
+    if (places.empty() || outOfReach(azimuth, azimuth_gate)) return;
+    for (auto place = firstFrom(range - range_gate); place != places.end() && place->range <= range + range_gate;
+         ++place) {
       const double azimuth_difference = tws::angularDifference(place->azimuth, azimuth);
       if (std::abs(azimuth_difference) > azimuth_gate) continue;
       Detection& detection = detections[static_cast<std::size_t>(place - places.begin())];
       if (!detection.used) take(detection, place->range - range, azimuth_difference);
     }
+  }
+
+ private:
+  friend class DetectionFile;
+
+  std::size_t binOf(double range) const {
+    return static_cast<std::size_t>(std::clamp(range / bin, 0.0, static_cast<double>(begins.size() - 1)));
+  }
+
+  std::vector<Place>::const_iterator firstFrom(double range) const {
+    auto place = places.begin() + begins[binOf(range)];
+    while (place != places.end() && place->range < range) ++place;
+    return place;
+  }
+
+  bool outOfReach(double azimuth, double azimuth_gate) const {
+    constexpr double kRounding = 1e-9;
+    return std::abs(tws::angularDifference(azimuth, middle)) > spread + azimuth_gate + kRounding;
   }
 };
 
@@ -57,6 +79,8 @@ class DetectionFile {
   DetectionSector& at(std::int64_t running);
 
  private:
+  static void index(DetectionSector& sector);
+
   static constexpr std::int64_t kKept = 128;  // two turns
   std::vector<DetectionSector> sectors_;
   DetectionSector empty_;

@@ -12,11 +12,6 @@ constexpr double kMedianOfNormal = 0.6745;  // half of all normal deviates are w
 constexpr double kWithin = 0.55;
 constexpr double kLeastGain = 0.002;
 
-double learned(double sigma, double deviation, double gain, double least, double greatest) {
-  const double step = std::abs(deviation) > kMedianOfNormal ? gain * kWithin : gain * (kWithin - 1.0);
-  return std::clamp(sigma * std::exp(step), least, greatest);
-}
-
 }  // namespace
 
 RadarQuality::RadarQuality(const RadarParams& params, bool learn)
@@ -26,7 +21,16 @@ RadarQuality::RadarQuality(const RadarParams& params, bool learn)
       least_azimuth_sigma_(0.05 * params.azimuth_sigma),
       greatest_range_sigma_(5.0 * params.range_sigma),
       greatest_azimuth_sigma_(5.0 * params.azimuth_sigma),
-      learn_(learn) {}
+      learn_(learn) {
+  setGain(0.03);
+}
+
+void RadarQuality::setGain(double gain) {
+  if (gain == gain_) return;
+  gain_ = gain;
+  grown_ = std::exp(gain * kWithin);
+  shrunk_ = std::exp(gain * (kWithin - 1.0));
+}
 
 double RadarQuality::rangeSigma(const tws::Plot& plot) const {
   return std::isnan(plot.range_sigma) ? range_sigma_ : plot.range_sigma;
@@ -38,9 +42,11 @@ double RadarQuality::azimuthSigma(const tws::Plot& plot) const {
 
 void RadarQuality::learnErrors(double range_deviation, double cross_range_deviation) {
   if (!learn_) return;
-  range_sigma_ = learned(range_sigma_, range_deviation, gain_, least_range_sigma_, greatest_range_sigma_);
-  azimuth_sigma_ = learned(azimuth_sigma_, cross_range_deviation, gain_, least_azimuth_sigma_, greatest_azimuth_sigma_);
-  gain_ = std::max(kLeastGain, 0.985 * gain_);
+  const auto factor = [&](double deviation) { return std::abs(deviation) > kMedianOfNormal ? grown_ : shrunk_; };
+  range_sigma_ = std::clamp(range_sigma_ * factor(range_deviation), least_range_sigma_, greatest_range_sigma_);
+  azimuth_sigma_ =
+      std::clamp(azimuth_sigma_ * factor(cross_range_deviation), least_azimuth_sigma_, greatest_azimuth_sigma_);
+  setGain(std::max(kLeastGain, 0.985 * gain_));
 }
 
 void RadarQuality::saw(double range) { greatest_range_ = std::max(greatest_range_, range); }

@@ -36,10 +36,12 @@ class RadarQuality {
   double falseDensity() const;
 
  private:
+  void setGain(double gain);
+
   double range_sigma_, azimuth_sigma_;
   double least_range_sigma_, least_azimuth_sigma_, greatest_range_sigma_, greatest_azimuth_sigma_;
   bool learn_;
-  double gain_ = 0.03;
+  double gain_ = 0.0, grown_ = 1.0, shrunk_ = 1.0;
   double greatest_range_ = 10e3;
   double false_plots_ = 5.0;
 };

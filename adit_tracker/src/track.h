@@ -46,14 +46,16 @@ struct FixedPlace {
   double moving_evidence = 0.0;  // log-likelihood of movement minus that of this place
 };
 
-struct Track {
-  std::uint32_t number = 0;       // NT
-  std::uint32_t uid = 0;          // never used twice in a run
-  bool coasting = false;          // not detected when a beam met it last
-  bool firm = false;              // the opposite of bit 15 of OUT
-  std::uint16_t detected_by = 0;  // radars that detected it when they last had the chance: bits 1..3 of OUT
-  std::int32_t updates = 0;       // detections used
+/// What the correlator looks at, of many tracks and little of each, stands first.
+struct alignas(64) Track {
   Prediction predicted;
+  std::array<double, kMaxRadars> illuminated;  // unwrapped azimuth at which each beam met it last, detected or not
+  std::uint32_t number = 0;                    // NT
+  std::uint32_t uid = 0;                       // never used twice in a run
+  bool coasting = false;                       // not detected when a beam met it last
+  bool firm = false;                           // the opposite of bit 15 of OUT
+  std::uint16_t detected_by = 0;   // radars that detected it when they last had the chance: bits 1..3 of OUT
+  std::int32_t updates = 0;        // detections used
   Kinematics smoothed;             // at the latest update
   double first_time = 0.0;         // TF
   double last_update = 0.0;        // TT
@@ -61,9 +63,8 @@ struct Track {
   float existence = 1.0F;          // chance that it follows a target
   float first_existence = 1.0F;    // the same at its first detection
   std::array<float, kMaxRadars>
-      detection_probability;                   // by each radar, as this track has shown so far: radars fade apart
-  std::array<double, kMaxRadars> updated;      // by each radar, TT12 and TT39; kNever
-  std::array<double, kMaxRadars> illuminated;  // unwrapped azimuth at which each beam met it last, detected or not
+      detection_probability;               // by each radar, as this track has shown so far: radars fade apart
+  std::array<double, kMaxRadars> updated;  // by each radar, TT12 and TT39; kNever
   FixedPlace fixed;
   double reference_time = kNever;                         // when the next two were stored
   double reference_range = 0.0, reference_azimuth = 0.0;  // NR: eight scans ago

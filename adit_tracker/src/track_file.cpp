@@ -1,6 +1,17 @@
 #include "track_file.h"
 
 namespace adit_tracker {
+namespace {
+
+constexpr std::size_t kCacheLine = 64;
+
+/// The first `bytes` of a track, and what else is in their cache lines.
+void fetch(const Track& track, std::size_t bytes) {
+  const char* const begin = reinterpret_cast<const char*>(&track);
+  for (std::size_t i = 0; i < bytes; i += kCacheLine) __builtin_prefetch(begin + i);
+}
+
+}  // namespace
 
 TrackFile::TrackFile(std::uint32_t capacity) : numbers_(capacity), sectors_(capacity) {}
 
@@ -41,7 +52,12 @@ void TrackFile::place(Slot slot, int sector) {
 }
 
 void TrackFile::list(int sector, std::vector<Slot>& slots) const {
-  for (Slot s = sectors_.first(sector); s != tws::SectorFile::kNone; s = sectors_.next(s)) slots.push_back(s);
+  for (Slot s = sectors_.first(sector); s != tws::SectorFile::kNone; s = sectors_.next(s)) {
+    fetch(tracks_[s], sizeof(Track::predicted));
+    slots.push_back(s);
+  }
 }
+
+void TrackFile::fetchAhead(Slot slot) const { fetch(tracks_[slot], sizeof(Track)); }
 
 }  // namespace adit_tracker

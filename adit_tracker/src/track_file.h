@@ -35,6 +35,10 @@ class TrackFile {
   /// The slots in a sector, top to bottom, appended to `slots`.
   void list(int sector, std::vector<Slot>& slots) const;
 
+  /// Has a track brought into the cache while other work goes on: among many tracks, waiting for memory is most of the
+  /// time.
+  void fetchAhead(Slot slot) const;
+
   std::uint32_t size() const { return size_; }
   std::uint32_t capacity() const { return numbers_.size(); }
 

@@ -8,6 +8,12 @@
 namespace adit_tracker {
 namespace {
 
+double rangeOf(double x, double y) {
+  return std::max(std::sqrt(x * x + y * y), 1.0);  // at the site itself rates have no meaning
+}
+
+double azimuthOf(double x, double y) { return tws::wrapTwoPi(std::atan2(x, y)); }
+
 Kinematics fromPlanar(const PlanarState& s, double time) {
   Kinematics k;
   k.time = time;
@@ -15,8 +21,8 @@ Kinematics fromPlanar(const PlanarState& s, double time) {
   k.y = s.y;
   k.vx = s.vx;
   k.vy = s.vy;
-  k.range = std::max(std::sqrt(s.x * s.x + s.y * s.y), 1.0);  // at the site itself rates have no meaning
-  k.azimuth = tws::wrapTwoPi(std::atan2(s.x, s.y));
+  k.range = rangeOf(s.x, s.y);
+  k.azimuth = azimuthOf(s.x, s.y);
   k.range_rate = (s.x * s.vx + s.y * s.vy) / k.range;
   k.azimuth_rate = (s.y * s.vx - s.x * s.vy) / (k.range * k.range);
   return k;
@@ -38,14 +44,15 @@ Kinematics fromPolar(double range, double azimuth, double range_rate, double azi
 }
 
 /// The covariance of a position in range and cross-range, as seen from the origin.
-Symmetric2 inPolar(const Symmetric2& p, const Kinematics& at) {
-  const double s = at.x / at.range, c = at.y / at.range;
+Symmetric2 inPolar(const PlanarPosition& position, double range) {
+  const double s = position.x / range, c = position.y / range;
+  const Symmetric2& p = position.covariance;
   return {p.xx * s * s + 2.0 * p.xy * s * c + p.yy * c * c, (p.xx - p.yy) * s * c + p.xy * (c * c - s * s),
           p.xx * c * c - 2.0 * p.xy * s * c + p.yy * s * s};
 }
 
 /// Log-likelihood of a measurement under "it does not move", and the place improved by it.
-double updatePlace(FixedPlace& place, const PlanarMeasurement& z) {
+double updatePlace(FixedPlace& place, const PlanarPosition& z) {
   const Symmetric2 s{place.covariance.xx + z.covariance.xx, place.covariance.xy + z.covariance.xy,
                      place.covariance.yy + z.covariance.yy};
   const double dx = z.x - place.x, dy = z.y - place.y, determinant = s.determinant();
@@ -73,7 +80,7 @@ void TrackMotion::start(Track& track, const tws::Plot& plot, const RadarQuality&
     track.filter = PolarFilter{alpha_beta_.start(plot.range), alpha_beta_.start(plot.azimuth)};
     return;
   }
-  const PlanarMeasurement z =
+  const PlanarPosition z =
       planarMeasurement(plot.range, plot.azimuth, quality.rangeSigma(plot), quality.azimuthSigma(plot));
   track.filter.emplace<TurningFilter>().start(z, params_.turning);
   track.fixed = {z.x, z.y, z.covariance, 0.0};
@@ -107,7 +114,7 @@ void TrackMotion::updatePolar(Track& track, const tws::Plot& plot) const {
 double TrackMotion::updateTurning(Track& track, const tws::Plot& plot, const RadarQuality& quality) const {
   TurningFilter& filter = std::get<TurningFilter>(track.filter);
   const double dt = std::max(0.0, plot.time - track.smoothed.time);
-  const PlanarMeasurement z =
+  const PlanarPosition z =
       planarMeasurement(plot.range, plot.azimuth, quality.rangeSigma(plot), quality.azimuthSigma(plot));
   const double log_likelihood = filter.update(z, dt, params_.turning);
   if (!track.firm) track.fixed.moving_evidence += log_likelihood - updatePlace(track.fixed, z);
@@ -128,22 +135,26 @@ Extrapolation TrackMotion::at(const Track& track, double time) const {
 }
 
 void TrackMotion::predict(Track& track, std::size_t radar, double time, const RadarQuality& quality) const {
-  const Extrapolation there = at(track, time);
+  const double dt = time - track.smoothed.time;
   Prediction& p = track.predicted;
   p.time = time;
   p.radar = radar;
-  p.range = there.kinematics.range;
-  p.azimuth = there.kinematics.azimuth;
-  if (!there.has_covariance) return;
+  if (const auto* polar = std::get_if<PolarFilter>(&track.filter)) {
+    p.range = std::max(polar->range.position + polar->range.velocity * dt, 1.0);
+    p.azimuth = tws::wrapTwoPi(polar->azimuth.position + polar->azimuth.velocity * dt);
+    return;
+  }
+  const PlanarPosition there = std::get<TurningFilter>(track.filter).predictPosition(dt, params_.turning);
+  p.range = rangeOf(there.x, there.y);
+  p.azimuth = azimuthOf(there.x, there.y);
   const double along = quality.rangeSigma() * quality.rangeSigma();
   const double cross = p.range * p.range * quality.azimuthSigma() * quality.azimuthSigma();
-  p.innovation = inPolar(there.planar.position, there.kinematics);
+  p.innovation = inPolar(there, p.range);
   p.innovation.xx += along;
   p.innovation.yy += cross;
   // Hardly any manoeuvre stays hard for longer; without the limit a coasting track would take any other target's plots.
   constexpr double kLongestManoeuvre = 8.0;  // [s]
-  const double manoeuvre =
-      TurningFilter::manoeuvreSigma(std::min(time - track.smoothed.time, kLongestManoeuvre), params_.turning);
+  const double manoeuvre = TurningFilter::manoeuvreSigma(std::min(dt, kLongestManoeuvre), params_.turning);
   p.manoeuvre = manoeuvre * manoeuvre;
   p.log_volume = std::log(p.innovation.determinant() / (along * cross));
 }

@@ -30,19 +30,27 @@ void moveMean(PlanarState& s, const Motion& m) {
   s.vy = m.d * vx + m.c * vy;
 }
 
-/// P ← F P F' + Q, block by block, with Q of white acceleration of density q.
-void moveCovariance(PlanarState& s, const Motion& m, double dt, double q) {
-  const auto [a, b, c, d] = m;
-  const Symmetric2 v = s.velocity;
+/// The position's block of F P F' + Q, with Q of white acceleration of density q.
+Symmetric2 movedPosition(const PlanarState& s, const Motion& m, double dt, double q) {
+  const double a = m.a, b = m.b, spread = q * dt * dt * dt / 3.0;
+  const Symmetric2& v = s.velocity;
   // A·V, and (cross)·A'.
   const double av_xx = a * v.xx - b * v.xy, av_xy = a * v.xy - b * v.yy;
   const double av_yx = b * v.xx + a * v.xy, av_yy = b * v.xy + a * v.yy;
   const double ca_xx = a * s.x_vx - b * s.x_vy, ca_xy = b * s.x_vx + a * s.x_vy;
   const double ca_yx = a * s.y_vx - b * s.y_vy, ca_yy = b * s.y_vx + a * s.y_vy;
-  s.position.xx += 2.0 * ca_xx + a * av_xx - b * av_xy + q * dt * dt * dt / 3.0;
-  s.position.xy += ca_xy + ca_yx + b * av_xx + a * av_xy;
-  s.position.yy += 2.0 * ca_yy + b * av_yx + a * av_yy + q * dt * dt * dt / 3.0;
-  const double n_xx = s.x_vx + av_xx, n_xy = s.x_vy + av_xy, n_yx = s.y_vx + av_yx, n_yy = s.y_vy + av_yy;
+  return {s.position.xx + 2.0 * ca_xx + a * av_xx - b * av_xy + spread,
+          s.position.xy + ca_xy + ca_yx + b * av_xx + a * av_xy,
+          s.position.yy + 2.0 * ca_yy + b * av_yx + a * av_yy + spread};
+}
+
+/// P ← F P F' + Q, block by block.
+void moveCovariance(PlanarState& s, const Motion& m, double dt, double q) {
+  s.position = movedPosition(s, m, dt, q);
+  const auto [a, b, c, d] = m;
+  const Symmetric2 v = s.velocity;
+  const double n_xx = s.x_vx + a * v.xx - b * v.xy, n_xy = s.x_vy + a * v.xy - b * v.yy;
+  const double n_yx = s.y_vx + b * v.xx + a * v.xy, n_yy = s.y_vy + b * v.xy + a * v.yy;
   s.x_vx = c * n_xx - d * n_xy + q * dt * dt / 2.0;
   s.x_vy = d * n_xx + c * n_xy;
   s.y_vx = c * n_yx - d * n_yy;
@@ -52,8 +60,13 @@ void moveCovariance(PlanarState& s, const Motion& m, double dt, double q) {
   s.velocity = {c * cv_xx - d * cv_xy + q * dt, d * cv_xx + c * cv_xy, d * cv_yx + c * cv_yy + q * dt};
 }
 
-/// Kalman update with a position; returns the logarithm of the measurement's likelihood.
-double correct(PlanarState& s, const PlanarMeasurement& z) {
+/// A measurement's likelihood is density · exp(-squared_distance / 2) / 2π.
+struct Fit {
+  double squared_distance, density;
+};
+
+/// Kalman update with a position.
+Fit correct(PlanarState& s, const PlanarPosition& z) {
   const Symmetric2 S{s.position.xx + z.covariance.xx, s.position.xy + z.covariance.xy, s.position.yy + z.covariance.yy};
   const double inverse = 1.0 / S.determinant();
   const Symmetric2 W{S.yy * inverse, -S.xy * inverse, S.xx * inverse};
@@ -81,7 +94,7 @@ double correct(PlanarState& s, const PlanarMeasurement& z) {
   s.velocity.xx -= shrink(2, 2);
   s.velocity.xy -= shrink(2, 3);
   s.velocity.yy -= shrink(3, 3);
-  return -0.5 * (d2 - std::log(inverse)) - kLogTwoPi;
+  return {d2, std::sqrt(inverse)};
 }
 
 /// Adds weight · (covariance of `from` + spread of its mean about that of `to`) to the covariance of `to`.
@@ -128,18 +141,25 @@ double slantAcceleration(const PlanarState& s, double dt, const TurningFilterPar
   return h2 * h2 * v2 * v2 / (r2 * r2 * r2) * dt;
 }
 
+/// Density of the acceleration that each model assumes [m²/s³].
+std::array<double, TurningFilter::kModels> accelerations(const States& states, double dt,
+                                                         const TurningFilterParams& params) {
+  const double slant = slantAcceleration(states[0], dt, params);
+  return {slant + params.straight_acceleration, slant + params.turning_acceleration,
+          slant + params.turning_acceleration};
+}
+
 void move(States& states, double dt, const TurningFilterParams& params) {
   const auto motion = motions(dt, params.turn_rate);
-  const double slant = slantAcceleration(states[0], dt, params);
+  const auto acceleration = accelerations(states, dt, params);
   for (std::size_t i = 0; i < states.size(); ++i) {
     moveMean(states[i], motion[i]);
-    moveCovariance(states[i], motion[i], dt,
-                   slant + (i == 0 ? params.straight_acceleration : params.turning_acceleration));
+    moveCovariance(states[i], motion[i], dt, acceleration[i]);
   }
 }
 
 /// Squared distance of a measurement from a prediction, in standard deviations.
-double surprise(const PlanarState& s, const PlanarMeasurement& z) {
+double surprise(const PlanarState& s, const PlanarPosition& z) {
   const Symmetric2 S{s.position.xx + z.covariance.xx, s.position.xy + z.covariance.xy, s.position.yy + z.covariance.yy};
   return S.mahalanobis(z.x - s.x, z.y - s.y);
 }
@@ -161,14 +181,14 @@ void addManoeuvre(PlanarState& s, double dt, double acceleration) {
 
 }  // namespace
 
-PlanarMeasurement planarMeasurement(double range, double azimuth, double range_sigma, double azimuth_sigma) {
+PlanarPosition planarMeasurement(double range, double azimuth, double range_sigma, double azimuth_sigma) {
   const double s = std::sin(azimuth), c = std::cos(azimuth);
   const double along = range_sigma * range_sigma, cross = range * range * azimuth_sigma * azimuth_sigma;
   return {
       range * s, range * c, {along * s * s + cross * c * c, (along - cross) * s * c, along * c * c + cross * s * s}};
 }
 
-void TurningFilter::start(const PlanarMeasurement& z, const TurningFilterParams& params) {
+void TurningFilter::start(const PlanarPosition& z, const TurningFilterParams& params) {
   PlanarState first;
   first.x = z.x;
   first.y = z.y;
@@ -198,7 +218,7 @@ void TurningFilter::mix(double dt, const TurningFilterParams& params) {
   probability_ = next;
 }
 
-double TurningFilter::update(const PlanarMeasurement& z, double dt, const TurningFilterParams& params) {
+double TurningFilter::update(const PlanarPosition& z, double dt, const TurningFilterParams& params) {
   mix(dt, params);
   move(state_, dt, params);
   const bool manoeuvre =
@@ -207,14 +227,17 @@ double TurningFilter::update(const PlanarMeasurement& z, double dt, const Turnin
   if (manoeuvre) {
     for (PlanarState& s : state_) addManoeuvre(s, dt, params.manoeuvre_acceleration);
   }
-  Weights likelihood;
-  for (std::size_t i = 0; i < kModels; ++i) likelihood[i] = correct(state_[i], z);
-  const double greatest = *std::max_element(likelihood.begin(), likelihood.end());
+  std::array<Fit, kModels> fit{};
+  for (std::size_t i = 0; i < kModels; ++i) fit[i] = correct(state_[i], z);
+  // All against the best fit, or a measurement far from every model would give 0 / 0.
+  const double least = std::min({fit[0].squared_distance, fit[1].squared_distance, fit[2].squared_distance});
   double sum = 0.0;
-  for (std::size_t i = 0; i < kModels; ++i) sum += probability_[i] *= std::exp(likelihood[i] - greatest);
+  for (std::size_t i = 0; i < kModels; ++i) {
+    sum += probability_[i] *= fit[i].density * std::exp(0.5 * (least - fit[i].squared_distance));
+  }
   // A floor keeps a model from dying for good by underflow.
   for (double& p : probability_) p = std::max(p / sum, 1e-12);
-  return greatest + std::log(sum) + (manoeuvre ? kLogManoeuvre : 0.0);
+  return std::log(sum) - 0.5 * least - kLogTwoPi + (manoeuvre ? kLogManoeuvre : 0.0);
 }
 
 PlanarState TurningFilter::mean() const { return meanOf(state_, probability_); }
@@ -223,6 +246,27 @@ PlanarState TurningFilter::predict(double dt, const TurningFilterParams& params)
   States moved = state_;
   move(moved, dt, params);
   return merged(moved, probability_);
+}
+
+PlanarPosition TurningFilter::predictPosition(double dt, const TurningFilterParams& params) const {
+  const auto motion = motions(dt, params.turn_rate);
+  const auto acceleration = accelerations(state_, dt, params);
+  std::array<PlanarPosition, kModels> moved;
+  PlanarPosition result;
+  for (std::size_t i = 0; i < kModels; ++i) {
+    const PlanarState& s = state_[i];
+    moved[i] = {s.x + motion[i].a * s.vx - motion[i].b * s.vy, s.y + motion[i].b * s.vx + motion[i].a * s.vy,
+                movedPosition(s, motion[i], dt, acceleration[i])};
+    result.x += probability_[i] * moved[i].x;
+    result.y += probability_[i] * moved[i].y;
+  }
+  for (std::size_t i = 0; i < kModels; ++i) {
+    const double dx = moved[i].x - result.x, dy = moved[i].y - result.y;
+    result.covariance.xx += probability_[i] * (moved[i].covariance.xx + dx * dx);
+    result.covariance.xy += probability_[i] * (moved[i].covariance.xy + dx * dy);
+    result.covariance.yy += probability_[i] * (moved[i].covariance.yy + dy * dy);
+  }
+  return result;
 }
 
 }  // namespace adit_tracker

@@ -16,15 +16,15 @@ struct Symmetric2 {
   double mahalanobis(double x, double y) const { return (yy * x * x - 2.0 * xy * x * y + xx * y * y) / determinant(); }
 };
 
-/// A measured position on the plane (x east, y north [m]) and its covariance [m²].
-struct PlanarMeasurement {
+/// Gaussian of a position on the plane (x east, y north [m], covariance [m²]): a measurement, or a prediction of one.
+struct PlanarPosition {
   double x = 0.0, y = 0.0;
   Symmetric2 covariance;
 };
 
-/// Range [m] and azimuth [rad] with their standard deviations, on the plane. First-order conversion; good while
-/// range · azimuth_sigma² / 2 is small against the sigmas (below 0.1 of them to 400 km at 0.3°).
-PlanarMeasurement planarMeasurement(double range, double azimuth, double range_sigma, double azimuth_sigma);
+/// A measurement by range [m] and azimuth [rad] with their standard deviations, on the plane. First-order conversion;
+/// good while range · azimuth_sigma² / 2 is small against the sigmas (below 0.1 of them to 400 km at 0.3°).
+PlanarPosition planarMeasurement(double range, double azimuth, double range_sigma, double azimuth_sigma);
 
 /// Gaussian of position and velocity on the plane. The covariance is kept as blocks: position, cross (row: position,
 /// column: velocity), velocity.
@@ -59,14 +59,17 @@ class TurningFilter {
   static constexpr std::size_t kModels = 3;
 
   /// A track from its first measurement, at rest, with velocity unknown.
-  void start(const PlanarMeasurement& measurement, const TurningFilterParams& params);
+  void start(const PlanarPosition& measurement, const TurningFilterParams& params);
 
   /// Moves on by dt [s] ≥ 0, corrects by the measurement. Returns the natural logarithm of the measurement's likelihood
   /// [1/m²].
-  double update(const PlanarMeasurement& measurement, double dt, const TurningFilterParams& params);
+  double update(const PlanarPosition& measurement, double dt, const TurningFilterParams& params);
 
   /// The mixture moved on by dt [s], by one Gaussian of the same mean and covariance.
   PlanarState predict(double dt, const TurningFilterParams& params) const;
+
+  /// The position of that alone, at less cost.
+  PlanarPosition predictPosition(double dt, const TurningFilterParams& params) const;
 
   /// Standard deviation of the displacement that a hard manoeuvre adds in dt [s], in each axis [m].
   static double manoeuvreSigma(double dt, const TurningFilterParams& params) {

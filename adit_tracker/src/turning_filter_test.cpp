@@ -9,9 +9,9 @@
 namespace adit_tracker {
 namespace {
 
-PlanarMeasurement randomMeasurement(std::mt19937_64& generator, double x, double y) {
+PlanarPosition randomMeasurement(std::mt19937_64& generator, double x, double y) {
   const double a = tws::uniform(generator, 50.0, 500.0), b = tws::uniform(generator, 50.0, 500.0);
-  PlanarMeasurement z;
+  PlanarPosition z;
   z.covariance = {a * a, tws::uniform(generator, -0.8, 0.8) * a * b, b * b};
   std::normal_distribution<double> normal;
   const double u = normal(generator), v = normal(generator);
@@ -34,14 +34,14 @@ TEST(TurningFilter, DoesWhatTheTextbookDoesWithDenseMatrices) {
     dense.params.turning_time = tws::uniform(generator, 5.0, 100.0);
     TurningFilter filter;
     double x = 40e3, y = -30e3;
-    const PlanarMeasurement first = randomMeasurement(generator, x, y);
+    const PlanarPosition first = randomMeasurement(generator, x, y);
     filter.start(first, dense.params);
     dense.start(first);
     for (int k = 0; k < 20; ++k) {
       const double dt = tws::uniform(generator, 0.0, 8.0);
       x += 150.0 * dt;
       y -= 80.0 * dt;
-      const PlanarMeasurement z = randomMeasurement(generator, x, y);
+      const PlanarPosition z = randomMeasurement(generator, x, y);
       const double log_likelihood = filter.update(z, dt, dense.params);
       ASSERT_NEAR(log_likelihood, dense.update(z, dt), 1e-6);
       ASSERT_NEAR(filter.straightProbability(), dense.mu[0], 1e-6);
@@ -51,6 +51,11 @@ TEST(TurningFilter, DoesWhatTheTextbookDoesWithDenseMatrices) {
     DenseImm later = dense;
     for (int i = 0; i < DenseImm::kModels; ++i) later.move(i, 7.0);
     const PlanarState predicted = filter.predict(7.0, dense.params);
+    const PlanarPosition alone = filter.predictPosition(7.0, dense.params);
+    EXPECT_NEAR(alone.x, predicted.x, 1e-6);
+    EXPECT_NEAR(alone.y, predicted.y, 1e-6);
+    EXPECT_LT((denseOf(alone.covariance) - denseOf(predicted.position)).norm(),
+              1e-9 * denseOf(predicted.position).norm());
     EXPECT_LT((meanOf(predicted) - later.mean()).norm(), 1e-4);
     expectNear(later.covariance(), denseOf(predicted), 1e-6);
   }
@@ -63,7 +68,7 @@ TEST(TurningFilter, IsOneKalmanFilterWhenNothingEverTurns) {
   params.straight_time = 1e9;
   params.turning_time = 1e-6;
   TurningFilter filter;
-  const PlanarMeasurement first = randomMeasurement(generator, 10e3, 20e3);
+  const PlanarPosition first = randomMeasurement(generator, 10e3, 20e3);
   filter.start(first, params);
   Vector4 x(first.x, first.y, 0.0, 0.0);
   Matrix4 p = Matrix4::Identity() * params.speed_sigma * params.speed_sigma;
@@ -71,7 +76,7 @@ TEST(TurningFilter, IsOneKalmanFilterWhenNothingEverTurns) {
   Matrix24 h = Matrix24::Zero();
   h(0, 0) = h(1, 1) = 1.0;
   for (int k = 1; k < 20; ++k) {
-    const PlanarMeasurement z = randomMeasurement(generator, 10e3 + 600.0 * k, 20e3);
+    const PlanarPosition z = randomMeasurement(generator, 10e3 + 600.0 * k, 20e3);
     filter.update(z, 4.0, params);
     const Matrix4 f = transition(4.0, 0.0);
     x = f * x;
@@ -109,7 +114,7 @@ TEST(TurningFilter, PredictsTheSpreadOfSimulatedFlights) {
   constexpr int kFlights = 40000;
   constexpr double kTime = 6.0;
   const TurningFilterParams params = textbook();
-  PlanarMeasurement z;
+  PlanarPosition z;
   z.x = 1000.0;
   z.covariance = {90000.0, 20000.0, 40000.0};
   TurningFilter filter;
@@ -139,7 +144,7 @@ TEST(TurningFilter, PredictsTheSpreadOfSimulatedFlights) {
 TEST(TurningFilter, GivesALikelihoodThatSumsUpToOne) {
   TurningFilterParams params = textbook();
   params.speed_sigma = 30.0;
-  PlanarMeasurement z;
+  PlanarPosition z;
   z.covariance = {10000.0, 3000.0, 20000.0};
   TurningFilter started;
   started.start(z, params);
@@ -176,7 +181,7 @@ double meanSquaredError(const TurningFilterParams& params, bool turns, std::mt19
         truth = walk(truth, kStep, rate, model == 0 ? params.straight_acceleration : params.turning_acceleration,
                      generator);
       }
-      PlanarMeasurement z;
+      PlanarPosition z;
       z.x = truth[0] + 100.0 * normal(generator);
       z.y = truth[1] + 250.0 * normal(generator);
       z.covariance = {1e4, 0.0, 62500.0};
@@ -217,7 +222,7 @@ TEST(TurningFilter, SeesThatATargetTurns) {
   TurningFilter filter;
   for (int k = 0; k < 30; ++k) {
     const double t = 4.0 * k, turned = k < 15 ? 0.0 : params.turn_rate * (t - 60.0);
-    PlanarMeasurement z;
+    PlanarPosition z;
     z.x = k < 15 ? 200.0 * t : 12000.0 + 200.0 / params.turn_rate * std::sin(turned);
     z.y = k < 15 ? 0.0 : 200.0 / params.turn_rate * (1.0 - std::cos(turned));
     z.covariance = {10000.0, 0.0, 10000.0};
@@ -236,7 +241,7 @@ TEST(TurningFilter, SeesThatATargetTurns) {
 /// A track that has flown straight to the east over (0, 30 km) at 200 m/s.
 TurningFilter straightFlight(const TurningFilterParams& params) {
   TurningFilter filter;
-  PlanarMeasurement z;
+  PlanarPosition z;
   z.y = 30e3;
   z.covariance = {10000.0, 0.0, 10000.0};
   filter.start(z, params);
@@ -250,7 +255,7 @@ TurningFilter straightFlight(const TurningFilterParams& params) {
 // If this fails, a fighter that breaks away loses its track.
 TEST(TurningFilter, FollowsAHardManoeuvreAtOnce) {
   TurningFilterParams params = textbook();
-  PlanarMeasurement z;
+  PlanarPosition z;
   z.x = 8000.0;
   z.y = 30e3 + 2000.0;  // 250 m/s² for 4 s: no turning model comes near.
   z.covariance = {10000.0, 0.0, 10000.0};
@@ -273,7 +278,7 @@ TEST(TurningFilter, ManoeuvresChangeNothingWhileTheModelsExplainThePlots) {
 // If this fails, a user who switches manoeuvres off still has their penalty: far plots weigh a hundredth.
 TEST(TurningFilter, WithoutManoeuvresAFarPlotHasTheTextbooksLikelihood) {
   DenseImm dense;
-  PlanarMeasurement z;
+  PlanarPosition z;
   z.covariance = {10000.0, 0.0, 10000.0};
   TurningFilter filter;
   filter.start(z, dense.params);
@@ -290,7 +295,7 @@ TEST(TurningFilter, AFlightAtTheAssumedHeightStaysWithinItsGateNearTheSite) {
   for (int k = 0; k <= 60; ++k) {
     const double t = 4.0 * k, x = -30e3 + 250.0 * t, y = 10e3;
     const double slant = std::sqrt(x * x + y * y + 1e8), azimuth = std::atan2(x, y);
-    const PlanarMeasurement z = planarMeasurement(slant, azimuth, 100.0, 0.005);
+    const PlanarPosition z = planarMeasurement(slant, azimuth, 100.0, 0.005);
     if (k == 0) {
       filter.start(z, params);
       continue;
@@ -303,16 +308,16 @@ TEST(TurningFilter, AFlightAtTheAssumedHeightStaysWithinItsGateNearTheSite) {
   }
 }
 
-TEST(PlanarMeasurement, TurnsRangeAndAzimuthErrorsIntoThePlane) {
+TEST(PlanarPosition, TurnsRangeAndAzimuthErrorsIntoThePlane) {
   // Due east: range is x, cross-range is y.
-  const PlanarMeasurement east = planarMeasurement(100e3, kPi / 2.0, 50.0, 0.005);
+  const PlanarPosition east = planarMeasurement(100e3, kPi / 2.0, 50.0, 0.005);
   EXPECT_NEAR(east.x, 100e3, 1e-6);
   EXPECT_NEAR(east.y, 0.0, 1e-6);
   EXPECT_NEAR(east.covariance.xx, 2500.0, 1e-6);
   EXPECT_NEAR(east.covariance.yy, 250000.0, 1e-6);
   EXPECT_NEAR(east.covariance.xy, 0.0, 1e-6);
   // North-east: both mixed, xy = (along - cross) / 2.
-  const PlanarMeasurement between = planarMeasurement(100e3, kPi / 4.0, 50.0, 0.005);
+  const PlanarPosition between = planarMeasurement(100e3, kPi / 4.0, 50.0, 0.005);
   EXPECT_NEAR(between.covariance.xx, 126250.0, 1e-6);
   EXPECT_NEAR(between.covariance.xy, -123750.0, 1e-6);
 }
