@@ -44,6 +44,18 @@ TrackState trackState(const tws_msgs::Track& track) {
   }
 }
 
+std::string codeAndLevel(std::uint16_t mode_3a, double height) {
+  constexpr double kFeetPerLevel = 100.0;
+  static_assert(int{tws_msgs::Track::CODE_UNKNOWN} == int{tws_msgs::SsrPlot::CODE_UNKNOWN}, "one constant for both");
+  char code[16] = "";
+  char level[16] = "";
+  if (mode_3a != tws_msgs::Track::CODE_UNKNOWN) std::snprintf(code, sizeof code, "%04o", mode_3a);
+  if (std::isfinite(height))
+    std::snprintf(level, sizeof level, "F%03ld", std::lround(tws::feetFromMetres(height) / kFeetPerLevel));
+  const bool both = code[0] != '\0' && level[0] != '\0';
+  return std::string(code) + (both ? " " : "") + level;
+}
+
 }  // namespace
 
 PlanarFrame planarFrame(const geometry_msgs::Transform& transform) {
@@ -79,6 +91,7 @@ TrackReport trackReport(const tws_msgs::Track& track, std::size_t source, const 
   report.uid = track.uid;
   report.state = trackState(track);
   report.heard = heard;
+  report.time = track.stamp.toSec();
   if (report.state == TrackState::kDropped) return report;
   report.position = cartesianPosition(track.position, frame);
   report.velocity = frame.rotated({track.velocity.x, track.velocity.y});
@@ -87,15 +100,15 @@ TrackReport trackReport(const tws_msgs::Track& track, std::size_t source, const 
   return report;
 }
 
-std::string identityText(const tws_msgs::Track& track) {
-  constexpr double kFeetPerLevel = 100.0;
-  char code[16] = "";
-  char level[16] = "";
-  if (track.mode_3a != tws_msgs::Track::CODE_UNKNOWN) std::snprintf(code, sizeof code, "%04o", track.mode_3a);
-  if (std::isfinite(track.height))
-    std::snprintf(level, sizeof level, "F%03ld", std::lround(tws::feetFromMetres(track.height) / kFeetPerLevel));
-  const bool both = code[0] != '\0' && level[0] != '\0';
-  return std::string(code) + (both ? " " : "") + level;
+IdentityPlot identityPlot(const tws_msgs::SsrPlot& plot, const PlanarFrame& site) {
+  return {plot.stamp.toSec(), polarPosition(plot.range, plot.azimuth, site), identityText(plot)};
+}
+
+std::string identityText(const tws_msgs::Track& track) { return codeAndLevel(track.mode_3a, track.height); }
+
+std::string identityText(const tws_msgs::SsrPlot& plot) {
+  const std::string code = codeAndLevel(plot.mode_3a, plot.height);
+  return plot.callsign + (plot.callsign.empty() || code.empty() ? "" : " ") + code;
 }
 
 }  // namespace tws_rviz

@@ -4,12 +4,14 @@
 #include <tws_msgs/ClutterMap.h>
 #include <tws_msgs/Detection.h>
 #include <tws_msgs/SectorMark.h>
+#include <tws_msgs/SsrPlot.h>
 #include <tws_msgs/Track.h>
 #include <tws_msgs/TruthTarget.h>
 
 #include <string>
 
 #include "fading_detections.h"
+#include "identities.h"
 #include "planar_frame.h"
 #include "sweep.h"
 #include "track_picture.h"
@@ -33,7 +35,11 @@ Eigen::Vector2d truthPosition(const tws_msgs::TruthTarget& target, const PlanarF
 TrackReport trackReport(const tws_msgs::Track& track, std::size_t source, const std::string& prefix, double heard,
                         const PlanarFrame& frame);
 
+IdentityPlot identityPlot(const tws_msgs::SsrPlot& plot, const PlanarFrame& site);
+
 /// Mode 3/A code in octal and flight level, as far as known, e.g. "4271 F350"; empty: neither.
 std::string identityText(const tws_msgs::Track& track);
+/// The same after the callsign, if known.
+std::string identityText(const tws_msgs::SsrPlot& plot);
 
 }  // namespace tws_rviz

@@ -2,6 +2,7 @@
 
 #include <tf2/exceptions.h>
 #include <tws_msgs/Detections.h>
+#include <tws_msgs/SsrPlots.h>
 #include <tws_msgs/Tracks.h>
 #include <tws_msgs/Truth.h>
 #include <tws_runtime/parameters.h>
@@ -66,6 +67,7 @@ class PpiNode::Impl {
     const RadarParams& params = params_.radars[radar];
     bus_.subscribe<tws_msgs::SectorMark>(params.sector_marks, [this, radar](const auto& m) { hearMark(radar, m); });
     bus_.subscribe<tws_msgs::Detections>(params.detections, [this, radar](const auto& d) { hearDetections(radar, d); });
+    bus_.subscribe<tws_msgs::SsrPlots>(params.plots, [this, radar](const auto& p) { hearPlots(radar, p); });
   }
 
   void subscribeTracker(std::size_t tracker) {
@@ -84,6 +86,13 @@ class PpiNode::Impl {
            for (const tws_msgs::Detection& detection : sector.detections)
              orCount(origin, [&] { picture_.hear(radar, blip(detection, site)); });
          });
+  }
+
+  void hearPlots(std::size_t radar, const tws_msgs::SsrPlots& sector) {
+    heed({"plots", params_.radars[radar].plots, sector.header}, [&](const Origin& origin, const PlanarFrame& site) {
+      for (const tws_msgs::SsrPlot& plot : sector.plots)
+        orCount(origin, [&] { picture_.hear(identityPlot(plot, site)); });
+    });
   }
 
   void hearTracks(std::size_t source, const tws_msgs::Tracks& tracks) {

@@ -16,7 +16,8 @@ void readColor(ParameterReader& reader, Rgba& color) {
 }
 
 RadarParams defaultRadar(const std::string& name, std::size_t place) {
-  return {name, "/" + name + "/detections", "/" + name + "/sector_marks", kPalette[place % kPalette.size()]};
+  return {name, "/" + name + "/detections", "/" + name + "/sector_marks", kPalette[place % kPalette.size()],
+          "/" + name + "/plots"};
 }
 
 RadarParams readRadar(ParameterReader& reader, std::size_t place) {
@@ -26,6 +27,7 @@ RadarParams readRadar(ParameterReader& reader, std::size_t place) {
   RadarParams radar = defaultRadar(name, place);
   reader.text("detections", radar.detections);
   reader.text("sector_marks", radar.sector_marks);
+  reader.text("plots", radar.plots);
   readColor(reader, radar.color);
   reader.done();
   return radar;

@@ -42,6 +42,7 @@ TEST(PpiParams, TheShippedFileHoldsTheDefaults) {
     EXPECT_EQ(file.radars[i].name, none.radars[i].name);
     EXPECT_EQ(file.radars[i].detections, none.radars[i].detections);
     EXPECT_EQ(file.radars[i].sector_marks, none.radars[i].sector_marks);
+    EXPECT_EQ(file.radars[i].plots, none.radars[i].plots);
   }
   ASSERT_EQ(file.trackers.size(), 1u);
   EXPECT_EQ(file.trackers[0].topic, none.trackers.at(0).topic);
@@ -51,12 +52,14 @@ TEST(PpiParams, TheShippedFileHoldsTheDefaults) {
 
 TEST(PpiParams, RadarsAndTrackersAreLists) {
   const PpiParams params = load(
-      "{radars: [{name: msr, color: [1, 0.5, 0]}, {name: ssr, detections: /ssr/plots}],"
+      "{radars: [{name: msr, color: [1, 0.5, 0]}, {name: ssr, detections: /ssr/skin, plots: /ssr/replies}],"
       " trackers: [{topic: /adit/tracks}, {topic: /ssr/tracks, prefix: S}]}");
   ASSERT_EQ(params.radars.size(), 2u);
   EXPECT_EQ(params.radars[0].sector_marks, "/msr/sector_marks");
+  EXPECT_EQ(params.radars[0].plots, "/msr/plots");
   EXPECT_FLOAT_EQ(params.radars[0].color.g, 0.5f);
-  EXPECT_EQ(params.radars[1].detections, "/ssr/plots");
+  EXPECT_EQ(params.radars[1].detections, "/ssr/skin");
+  EXPECT_EQ(params.radars[1].plots, "/ssr/replies");
   ASSERT_EQ(params.trackers.size(), 2u);
   EXPECT_EQ(params.trackers[0].name, "/adit/tracks");
   EXPECT_EQ(params.trackers[1].prefix, "S");

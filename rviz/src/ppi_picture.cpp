@@ -31,6 +31,12 @@ void PpiPicture::hear(std::size_t radar, const Blip& detection) {
   radars_[radar].detections.add(detection, persistence(radars_[radar]));
 }
 
+void PpiPicture::hear(TrackReport report) {
+  if (report.state != TrackState::kDropped && report.identity.empty())
+    report.identity = identities_.at(report.time, report.position, report.velocity);
+  tracks_.hear(report);
+}
+
 Drawing PpiPicture::background() const { return drawBackground(style_, spacing()); }
 
 Drawing PpiPicture::sweeps(double time) const {

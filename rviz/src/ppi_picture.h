@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "fading_detections.h"
+#include "identities.h"
 #include "planar_frame.h"
 #include "ppi_params.h"
 #include "ppi_style.h"
@@ -29,7 +30,9 @@ class PpiPicture {
   void hear(std::size_t radar, const Blip& detection);
   /// A tracker speaks, even if it has no tracks.
   void hearTracker(std::size_t tracker) { trackers_heard_[tracker] = true; }
-  void hear(const TrackReport& report) { tracks_.hear(report); }
+  /// A track without identity of its own takes that of the secondary radars' nearest plot.
+  void hear(TrackReport report);
+  void hear(const IdentityPlot& plot) { identities_.add(plot); }
   /// The whole clutter map of `time`, or all true positions.
   void hearClutter(double time, std::vector<ClutterMark> marks) { clutter_ = {time, std::move(marks)}; }
   void hearTruth(double time, std::vector<Eigen::Vector2d> positions) { truth_ = {time, std::move(positions)}; }
@@ -67,6 +70,7 @@ class PpiPicture {
   PpiStyle style_;
   std::vector<Radar> radars_;
   TrackPicture tracks_;
+  Identities identities_;
   std::vector<bool> trackers_heard_;
   Snapshot<ClutterMark> clutter_;
   Snapshot<Eigen::Vector2d> truth_;

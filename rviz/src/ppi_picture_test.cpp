@@ -50,6 +50,27 @@ TEST(PpiPicture, ASweepStartsAtItsRadarsSiteInItsOwnNorth) {
   EXPECT_NEAR(std::atan2(beam.x(), beam.y()), tws::kPi / 2.0 + tws::kPi / 18.0, 1e-9);
 }
 
+// A tracker of detections knows no codes: without those of the secondary radar's plots, labels bear numbers only.
+TEST(PpiPicture, ATrackBearsTheCodeOfTheSecondaryRadarsPlotAndKeepsIt) {
+  PpiPicture picture(params());
+  picture.hear(IdentityPlot{100.0, {50e3, 0.0}, "1234 F350"});
+  TrackReport track;
+  track.uid = 7;
+  track.state = TrackState::kFirm;
+  track.heard = track.time = 100.0;
+  track.position = {50e3, 100.0};
+  track.velocity = {0.0, 0.0};
+  track.name = "7";
+  picture.hear(track);
+  EXPECT_TRUE(says(picture.tracks(100.0), "7\n0kn\n1234 F350"));
+  track.heard = track.time = 120.0;  // The plot is too old now.
+  picture.hear(track);
+  EXPECT_TRUE(says(picture.tracks(120.0), "7\n0kn\n1234 F350"));
+  track.identity = "4321";
+  picture.hear(track);
+  EXPECT_TRUE(says(picture.tracks(120.0), "7\n0kn\n4321"));
+}
+
 // When the tracker stops, its clutter map must not stay as if it were still in use.
 TEST(PpiPicture, ClutterAndTruthVanishAfterTheTimeOut) {
   PpiPicture picture(params());

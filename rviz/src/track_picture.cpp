@@ -57,7 +57,9 @@ void TrackPicture::hear(const TrackReport& report) {
     track.label = next_label_++;
   else
     leaveTrail(track, report.heard);
+  std::string known = std::move(track.report.identity);
   track.report = report;
+  if (report.identity.empty()) track.report.identity = std::move(known);
 }
 
 void TrackPicture::leaveTrail(LivingTrack& track, double time) const {

@@ -23,11 +23,12 @@ struct TrackReport {
   std::uint32_t uid = 0;   // never used twice by one tracker
   TrackState state = TrackState::kTentative;
   double heard = 0.0;        // data time of the word [s]
+  double time = 0.0;         // at which position and velocity hold [s]
   Eigen::Vector2d position;  // [m]
   Eigen::Vector2d velocity =
       Eigen::Vector2d::Constant(std::numeric_limits<double>::quiet_NaN());  // [m/s]; NaN: unknown
   std::string name;      // what the operator calls it, e.g. its number
-  std::string identity;  // e.g. "4271 F350"; empty: unknown
+  std::string identity;  // e.g. "4271 F350"; empty: unknown, or as it was
 };
 
 /// How tracks are drawn.
