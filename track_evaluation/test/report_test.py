@@ -1,0 +1,72 @@
+#!/usr/bin/env python3
+"""The page of a run: report_test.py PATH_OF_REPORT. If this fails, a user cannot show anybody how good a tracker is."""
+import json
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+
+REPORT = sys.argv.pop(1)
+SERIES = "tracker,t_s,ospa_m,gospa_m,gospa_loc,gospa_miss,gospa_false,completeness,required,tracks,rms_pos_m\n"
+
+
+class ReportTest(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+
+    def run_folder(self, name, completeness):
+        run = self.folder / name
+        run.mkdir()
+        row = {"profile": "en route", "name": "long gaps", "unit": "", "value": 0.5, "limit": 0.01, "sense": "at most", "passed": False}
+        score = {"metrics": {"completeness": completeness, "gospa_m": None}, "identity": {}, "timing": {}, "requirements": [row]}
+        (run / "metrics.json").write_text(json.dumps({"version": 1, "input": "x", "settings": {"order": 2}, "trackers": {"adit": score}}))
+        (run / "series.csv").write_text(SERIES + "".join(f"adit,{t},1,2,3,4,5,{completeness},6,7,8\n" for t in range(60, 70)))
+        (run / "picture.csv").write_text("tracker,t_s,what,id,x_m,y_m\nadit,60,required,1,0,0\nadit,62,required,1,9,9\nadit,60,track,7,0,0\n")
+        return run
+
+    def report(self, *arguments):
+        return subprocess.run([sys.executable, REPORT, *map(str, arguments)], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+                              timeout=120)
+
+    def page(self, *runs):
+        out = self.folder / "page.html"
+        done = self.report(*runs, "--out", out)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return out.read_text()
+
+    def test_the_page_needs_nothing_but_itself(self):
+        page = self.page(self.run_folder("one", 0.9))
+        self.assertIsNone(re.search(r"<script|<link|src='(?!data:)|src=\"(?!data:)|url\(['\"]?http", page))
+        self.assertGreaterEqual(page.count("<svg"), 3)
+        self.assertIn("data:image/png;base64,", page)
+        self.assertIn("@media print", page)
+
+    def test_it_says_values_and_failed_requirements(self):
+        page = self.page(self.run_folder("one", 0.9))
+        self.assertIn("90.00 %", page)
+        self.assertIn("FAIL", page)
+
+    def test_two_runs_stand_side_by_side_with_their_difference(self):
+        page = self.page(self.run_folder("one", 0.9), self.run_folder("two", 0.95))
+        self.assertIn("<td class='n better'>+5.00 %</td>", page)
+
+    def test_a_name_cannot_break_the_page(self):
+        self.assertNotIn("<b>bad", self.page(self.run_folder("<b>bad", 0.9)).replace("<b>&lt;b&gt;bad", ""))
+
+    def test_what_is_no_run_is_one_line_and_a_status(self):
+        (self.folder / "broken").mkdir()
+        (self.folder / "broken" / "metrics.json").write_text("{")
+        for run in ("nothing", "broken"):
+            done = self.report(self.folder / run)
+            self.assertEqual(done.returncode, 1)
+            self.assertEqual(done.stderr.count("\n"), 1, done.stderr)
+            self.assertIn(run, done.stderr)
+        self.assertEqual(self.report().returncode, 2)
+
+
+if __name__ == "__main__":
+    unittest.main()
