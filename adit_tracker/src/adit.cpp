@@ -137,7 +137,10 @@ void Adit::mapClutter(const Executive::Turn& turn) {
     plot.time = point.last_update;
     plot.range = point.range;
     plot.azimuth = point.azimuth;
-    if (startTrack(turn.radar, plot)) ++counts_.to_track;
+    Track* const track = startTrack(turn.radar, plot);
+    if (track == nullptr) continue;
+    track->updated = point.updated;  // with one map for all, another radar may have seen it last
+    ++counts_.to_track;
   }
 }
 
@@ -259,15 +262,8 @@ void Adit::convertSlowTracks(const Executive::Turn& turn) {
 /// Compares the place with the one stored eight scans ago, and stores the present one.
 bool Adit::hasBecomeSlow(Track& track, double judge_after) const {
   const Kinematics& k = track.smoothed;
-  const double elapsed = k.time - track.reference_time;
-  if (elapsed < judge_after) return false;
-  const double range_rate = (k.range - track.reference_range) / elapsed;
-  const double azimuth_rate = tws::angularDifference(k.azimuth, track.reference_azimuth) / elapsed;
-  const bool comparable = track.reference_time != kNever;
-  track.reference_time = k.time;
-  track.reference_range = k.range;
-  track.reference_azimuth = k.azimuth;
-  return comparable && !isFaster(range_rate, azimuth_rate, k.range, params_.conversion.speed_down, params_.conversion);
+  const auto rates = track.reference.compare(k.time, k.range, k.azimuth, judge_after);
+  return rates && !isFaster(rates->range, rates->azimuth, k.range, params_.conversion.speed_down, params_.conversion);
 }
 
 /// What neither clutter nor tracks have used starts both: the clutter point will go on being updated, or the track
@@ -286,11 +282,11 @@ void Adit::initiate(const Executive::Turn& turn) {
   radar.quality.learnFalsePlots(unused);
 }
 
-bool Adit::startTrack(std::size_t radar, const tws::Plot& plot) {
+Track* Adit::startTrack(std::size_t radar, const tws::Plot& plot) {
   const auto slot = tracks_.start();
   if (!slot) {
     ++counts_.refused_tracks;
-    return false;
+    return nullptr;
   }
   Track& track = tracks_.at(*slot);
   const RadarQuality& quality = radars_[radar].quality;
@@ -300,16 +296,12 @@ bool Adit::startTrack(std::size_t radar, const tws::Plot& plot) {
   // Met in a sector that is behind the front or at most a few ahead of it.
   track.illuminated[radar] = unwrappedNear(plot.azimuth, executive_.front(radar));
   track.detected_by = static_cast<std::uint16_t>(1U << radar);
-  if (params_.conversion.from_start) {
-    track.reference_time = plot.time;
-    track.reference_range = plot.range;
-    track.reference_azimuth = plot.azimuth;
-  }
+  if (params_.conversion.from_start) track.reference = {plot.time, plot.range, plot.azimuth};
   predictNext(track);
   tracks_.place(*slot, tws::sectorOf(track.predicted.azimuth));
   ++counts_.tracks_started;
   report_.words.push_back({*slot, TrackEvent::kStarted, plot.time});
-  return true;
+  return &track;
 }
 
 /// Puts the track into the sector where its next illumination will be.

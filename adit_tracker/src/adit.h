@@ -85,7 +85,8 @@ class Adit {
   void update(const Executive::Turn& turn, TrackFile::Slot slot, Detection& detection);
   void miss(const Executive::Turn& turn, TrackFile::Slot slot);
   void initiate(const Executive::Turn& turn);
-  bool startTrack(std::size_t radar, const tws::Plot& plot);
+  /// nullptr: there is no number left.
+  Track* startTrack(std::size_t radar, const tws::Plot& plot);
   void convertSlowTracks(const Executive::Turn& turn);
   bool hasBecomeSlow(Track& track, double judge_after) const;
   void moveOn(TrackFile::Slot slot, std::size_t radar);

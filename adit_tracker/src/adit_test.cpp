@@ -155,6 +155,25 @@ TEST_P(BothSets, AClutterPointThatBeginsToMoveBecomesATrack) {
   EXPECT_TRUE(followed);
 }
 
+// With one map for all radars, the point is judged on the scans of a radar that may never have seen it.
+// If this fails, the display says that a radar sees what only the other one does.
+TEST_P(BothSets, ATrackKnowsWhichRadarSawItAlsoIfItWasAClutterPoint) {
+  RadarSectors radars = twoRadars(400.0, {});
+  const double speed = 60.0 * 1852.0 / 3600.0;
+  first_.see({20e3, 30e3, speed * 0.5547, speed * 0.83205}, radars[0]);
+  const Adit* tracker = nullptr;
+  std::size_t words = 0;
+  Adit adit(params(), [&](const SectorReport& report) {
+    for (const TrackWord& word : report.words) EXPECT_EQ(tracker->tracks().at(word.slot).updated[1], kNever);
+    words += report.words.size();
+  });
+  tracker = &adit;
+  feedInOrder(adit, radars);
+  adit.finish();
+  EXPECT_GT(words, 0U);
+  EXPECT_TRUE(params().clutter.per_radar || adit.counts().to_track > 0U);
+}
+
 // TFIX: firm by the first update later than 20 s after the first detection. Radar of 6 s: at 24 s.
 TEST(TheLetter, ATrackIsFirmByItsFirstUpdateAfter20Seconds) {
   const TestRadar radar(6.0);

@@ -58,15 +58,8 @@ void ClutterMap::take(ClutterPoint& point, Detection& detection, std::size_t rad
 
 /// Compares the place with the one stored eight scans ago, and stores the present one.
 bool ClutterMap::moves(ClutterPoint& point, double judge_after) const {
-  const double elapsed = point.last_update - point.reference_time;
-  if (elapsed < judge_after) return false;
-  const double range_rate = (point.range - point.reference_range) / elapsed;
-  const double azimuth_rate = tws::angularDifference(point.azimuth, point.reference_azimuth) / elapsed;
-  const bool comparable = point.reference_time != kNever;
-  point.reference_time = point.last_update;
-  point.reference_range = point.range;
-  point.reference_azimuth = point.azimuth;
-  return comparable && isFaster(range_rate, azimuth_rate, point.range, conversion_.speed_up, conversion_);
+  const auto rates = point.reference.compare(point.last_update, point.range, point.azimuth, judge_after);
+  return rates && isFaster(rates->range, rates->azimuth, point.range, conversion_.speed_up, conversion_);
 }
 
 std::vector<ClutterPoint> ClutterMap::process(std::size_t radar_index, RadarState& radar, std::int64_t running,

@@ -20,10 +20,9 @@ struct ClutterPoint {
   double range = 0.0, azimuth = 0.0;  // RPC, APC
   double first_time = 0.0;
   double last_update = 0.0;
-  std::array<double, kMaxRadars> updated;                 // TC12, TC39; kNever
-  std::int32_t hits = 1;                                  // detections so far
-  double reference_time = kNever;                         // when the next two were stored
-  double reference_range = 0.0, reference_azimuth = 0.0;  // RC
+  std::array<double, kMaxRadars> updated;  // TC12, TC39; kNever
+  std::int32_t hits = 1;                   // detections so far
+  ReferencePlace reference;                // RC
 };
 
 /// The report's CLUTTER MAP: takes the detections of clutter points and of slowly moving targets out of the detection

@@ -2,17 +2,16 @@
 
 #include <array>
 #include <cstdint>
-#include <limits>
 #include <variant>
 
 #include <tws_core/alpha_beta.h>
 
+#include "reference_place.h"
 #include "turning_filter.h"
 
 namespace adit_tracker {
 
 constexpr std::size_t kMaxRadars = 8;
-constexpr double kNever = -std::numeric_limits<double>::infinity();
 
 /// The report's filter: range and azimuth apart.
 struct PolarFilter {
@@ -66,8 +65,7 @@ struct alignas(64) Track {
       detection_probability;               // by each radar, as this track has shown so far: radars fade apart
   std::array<double, kMaxRadars> updated;  // by each radar, TT12 and TT39; kNever
   FixedPlace fixed;
-  double reference_time = kNever;                         // when the next two were stored
-  double reference_range = 0.0, reference_azimuth = 0.0;  // NR: eight scans ago
+  ReferencePlace reference;  // NR: eight scans ago
   std::variant<PolarFilter, TurningFilter> filter;
 };
 

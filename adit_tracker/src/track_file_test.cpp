@@ -75,13 +75,13 @@ TEST(TrackFile, StartsEveryTrackClean) {
   const auto slot = *file.start();
   file.at(slot).firm = file.at(slot).coasting = true;
   file.at(slot).updated[2] = 5.0;
-  file.at(slot).reference_time = 9.0;
+  file.at(slot).reference.time = 9.0;
   file.drop(slot);
   const Track& track = file.at(*file.start());
   EXPECT_FALSE(track.firm || track.coasting);
   EXPECT_EQ(track.updated[2], kNever);
   EXPECT_EQ(track.illuminated[2], kNever);
-  EXPECT_EQ(track.reference_time, kNever);
+  EXPECT_EQ(track.reference.time, kNever);
   EXPECT_EQ(track.updates, 0);
 }
 
