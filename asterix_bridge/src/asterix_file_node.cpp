@@ -11,6 +11,20 @@
 
 namespace asterix_bridge {
 
+namespace {
+
+std::vector<SourceId> busiestFirst(const Contents& contents) {
+  std::vector<SourceId> radars;
+  for (const auto& [radar, its] : contents.radars) radars.push_back(radar);
+  const auto busier = [&](SourceId a, SourceId b) {
+    return contents.radars.at(a).reports > contents.radars.at(b).reports;
+  };
+  std::stable_sort(radars.begin(), radars.end(), busier);
+  return radars;
+}
+
+}  // namespace
+
 class AsterixFileNode::Impl {
  public:
   explicit Impl(tws_runtime::Bus& bus)
@@ -50,8 +64,9 @@ class AsterixFileNode::Impl {
  private:
   static constexpr double kTail = 1.0;  // the sector of the last report closes after it [s]
 
-  /// All of the file's radars, those whose place is known first.
+  /// All of the file's radars: the busiest first, for it is the main one; then those whose place is known.
   void openRadars() {
+    outlet_.open(busiestFirst(contents_).front());
     for (const auto& [radar, contents] : contents_.radars) outlet_.open(radar);
     for (const auto& [radar, contents] : contents_.radars)
       if (contents.position) outlet_.place(radar, *contents.position);
@@ -106,10 +121,7 @@ RecordingSummary inspectRecording(const std::string& path) {
   const Contents contents = contentsOf(recording, clockFor(recording, std::nullopt));
   RecordingSummary summary;
   summary.framing = toText(recording.framing());
-  std::vector<std::pair<std::uint64_t, SourceId>> busiest;
-  for (const auto& [radar, its] : contents.radars) busiest.emplace_back(its.reports, radar);
-  std::stable_sort(busiest.begin(), busiest.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
-  for (const auto& [reports, radar] : busiest) summary.radars.push_back(radarName(radar));
+  for (const SourceId radar : busiestFirst(contents)) summary.radars.push_back(radarName(radar));
   if (std::isfinite(contents.start)) summary.length = contents.end - contents.start;
   return summary;
 }

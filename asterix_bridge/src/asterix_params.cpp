@@ -30,6 +30,11 @@ std::optional<tws::Geodetic> readPosition(ParameterReader& reader) {
   return position;
 }
 
+bool isName(const std::string& text) {
+  constexpr const char* kAllowed = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_";
+  return !text.empty() && text.find_first_not_of(kAllowed) == std::string::npos;
+}
+
 void readRadar(ParameterReader& reader, AsterixParams& params) {
   long sac = 0, sic = 0;
   reader.require("sac");
@@ -39,9 +44,7 @@ void readRadar(ParameterReader& reader, AsterixParams& params) {
   const SourceId id{static_cast<std::uint8_t>(sac), static_cast<std::uint8_t>(sic)};
   RadarSetting radar{radarName(id), {}};
   reader.text("name", radar.name);
-  if (radar.name.empty() || radar.name.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
-                                                         "0123456789_") != std::string::npos)
-    reader.fail("name", "'" + radar.name + "' is not made of letters, digits and _");
+  if (!isName(radar.name)) reader.fail("name", "'" + radar.name + "' is not made of letters, digits and _");
   radar.position = readPosition(reader);
   reader.done();
   if (!params.radars.emplace(id, radar).second) reader.fail("sic", "this radar is in the list twice");
@@ -51,6 +54,9 @@ void readCommon(ParameterReader& reader, AsterixParams& params) {
   std::string detections = "all";
   SectorCutter::Options& sectors = params.feed.sectors;
   reader.text("frame", params.frame);
+  reader.text("main_radar", params.main_radar);
+  if (!params.main_radar.empty() && !isName(params.main_radar))
+    reader.fail("main_radar", "'" + params.main_radar + "' is not made of letters, digits and _");
   reader.choice("detections", detections, {"all", "primary"});
   params.primary_only = detections == "primary";
   reader.flag("test_targets", params.feed.test_targets);
@@ -108,6 +114,7 @@ AsterixParams readFileParams(ParameterReader reader) {
   reader.text("date", date);
   readCommon(reader, params);
   reader.done();
+  if (params.file.empty()) reader.fail("file", "is empty; name a recording (of a live feed: udp)");
   try {
     if (!date.empty()) params.date = parseDate(date);
   } catch (const std::invalid_argument& error) {
@@ -123,6 +130,7 @@ AsterixParams readUdpParams(ParameterReader reader) {
   reader.text("udp", addresses);
   readCommon(reader, params);
   reader.done();
+  params.feed.sectors.steady = true;  // What comes in bursts reaches its listeners topic by topic, out of step.
   std::istringstream words(addresses);
   try {
     for (std::string word; words >> word;) params.udp.push_back(parseUdpAddress(word));

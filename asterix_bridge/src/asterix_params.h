@@ -37,6 +37,7 @@ struct AsterixParams {
   std::string frame = "map";
   std::optional<tws::Geodetic> origin;  // of the map
   std::map<SourceId, RadarSetting> radars;
+  std::string main_radar;  // how a file's busiest radar, or the first one heard, is called; empty: as any other
   bool primary_only = false;
   double lookahead = 60.0;  // how far the file is read ahead [s]
   RadarFeed::Options feed;

@@ -43,7 +43,7 @@ TEST(AsterixParams, NameRadarsAndTheirSites) {
 TEST(AsterixParams, AreRefusedWhenWrong) {
   for (const char* wrong :
        {"{}", "{file: x, speed: 3}", "{file: x, date: 2020-02-30}", "{file: x, date: tomorrow}",
-        "{file: x, detections: none}", "{file: x, settle_s: 3}", "{file: x, settle_s: -1}",
+        "{file: x, detections: none}", "{file: x, settle_s: 3}", "{file: x, main_radar: /a}", "{file: x, settle_s: -1}",
         "{file: x, radars: [{sac: 1}]}", "{file: x, radars: [{sac: 1, sic: 300}]}",
         "{file: x, radars: [{sac: 1, sic: 2}, {sac: 1, sic: 2}]}", "{file: x, radars: [{sac: 1, sic: 2, name: 'a b'}]}",
         "{file: x, radars: [{sac: 1, sic: 2, latitude_deg: 40}]}",

@@ -52,7 +52,9 @@ class AsterixUdpNode::Impl {
     for (UdpReceiver& receiver : receivers_)
       receiver.receive([this](Bytes datagram, const std::string& sender) { hear(datagram, sender); });
     if (feed_.records() == 0) return std::nullopt;
-    return tws_runtime::toTime(time_.at(wallTime()));
+    const double now = time_.at(wallTime());
+    feed_.advance(now);
+    return tws_runtime::toTime(now);
   }
 
  private:
@@ -66,6 +68,7 @@ class AsterixUdpNode::Impl {
   RadarFeed::Events events() {
     RadarFeed::Events events;
     events.sector = [this](SourceId radar, CutSector&& sector) {
+      outlet_.open(radar);
       outlet_.placeWhenLate(radar);
       outlet_.publish(radar, sector);
     };

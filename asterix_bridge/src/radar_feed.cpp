@@ -19,7 +19,11 @@ RadarFeed::RadarFeed(DataClock clock, Options options, Events events)
 void RadarFeed::add(const FramingStep& step, const std::string& origin) {
   origin_ = origin;
   stream_.add(step);
-  for (auto& [radar, cutter] : cutters_) cutter.advance(now());
+  advance(now());
+}
+
+void RadarFeed::advance(double now) {
+  for (auto& [radar, cutter] : cutters_) cutter.advance(now);
 }
 
 void RadarFeed::finish() {

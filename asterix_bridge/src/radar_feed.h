@@ -30,6 +30,8 @@ class RadarFeed {
 
   /// `origin` is put before the offset in reasons, e.g. the file's name or the sender.
   void add(const FramingStep& step, const std::string& origin);
+  /// The feed has come to this time since 1970 [s], by a clock that goes on without data.
+  void advance(double now);
   /// The end of a file: what waits comes out.
   void finish();
   /// Where the feed is now, since 1970 [s].

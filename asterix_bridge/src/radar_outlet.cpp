@@ -16,7 +16,10 @@ RadarOutlet::Topics& RadarOutlet::topicsOf(SourceId radar) {
   if (found != topics_.end()) return found->second;
   Topics topics;
   const auto setting = params_.radars.find(radar);
-  topics.name = setting == params_.radars.end() ? radarName(radar) : setting->second.name;
+  if (setting != params_.radars.end())
+    topics.name = setting->second.name;
+  else
+    topics.name = topics_.empty() && !params_.main_radar.empty() ? params_.main_radar : radarName(radar);
   const std::string path = "/" + topics.name + "/";
   topics.detections = bus_.advertise<tws_msgs::Detections>(path + "detections");
   topics.plots = bus_.advertise<tws_msgs::SsrPlots>(path + "plots");

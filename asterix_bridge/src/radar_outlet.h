@@ -20,7 +20,7 @@ class RadarOutlet {
  public:
   RadarOutlet(tws_runtime::Bus& bus, const AsterixParams& params);
 
-  /// Opens the topics of a radar, if they are not open yet.
+  /// Opens the topics of a radar, if they are not open yet. The first radar of all is the main one.
   void open(SourceId radar);
   /// Where a radar stands, as its data say; what the parameters say outranks it. The first position is the map's
   /// origin when the parameters give none. Said again, it changes nothing.

@@ -81,7 +81,7 @@ void SectorCutter::advance(double feed_time) {
   // Of a radar that has sent nothing for a turn, not even a mark, nobody knows that its beam still turns.
   constexpr double kTurns = 1.25;
   const double led = std::min(feed_time - options_.latency, *newest_ + kTurns * beam_.period());
-  release(std::max(*newest_, led) - options_.settle);
+  release(options_.steady ? led : std::max(*newest_, led) - options_.settle);
 }
 
 void SectorCutter::finish() {

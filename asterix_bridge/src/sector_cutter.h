@@ -36,6 +36,7 @@ class SectorCutter {
     double settle = 1.0;    // how much out of order a radar's reports may be [s], >= 0
     double latency = 2.0;   // the feed's time leads the radar's by at most this [s], >= settle
     double silence = 15.0;  // a radar that was not heard for so long or for two and a half turns, is silent [s]
+    bool steady = false;    // close sectors by the feed's time alone, `latency` behind it: one by one, not in bursts
     double restart = 10.0;  // time that goes back by more begins a new run [s]
   };
   struct Events {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -74,6 +75,27 @@ TEST_F(SectorCutterTest, ClosesASectorOnceTheRadarWasHeardASecondBeyondIt) {
   ASSERT_FALSE(sectors_.empty());
   EXPECT_LE(sectors_.back().leave_time, kStart + 59.0);
   EXPECT_GT(sectors_.back().leave_time, kStart + 58.8);
+}
+
+// In bursts, the marks would come after the detections of many sectors, and be taken for lost.
+TEST_F(SectorCutterTest, ClosesSectorsOneByOneWithTheFeedsTimeWhenSteady) {
+  SectorCutter::Options options;
+  options.steady = true;
+  std::size_t most = 0;
+  std::size_t before = 0;
+  SectorCutter cutter(options, {[this](CutSector&& sector) { sectors_.push_back(std::move(sector)); },
+                                [this](const std::string& counter, const std::string&) { ++faults_[counter]; }});
+  for (int hundredth = 0; hundredth < 6000; ++hundredth) {
+    const double time = kStart + hundredth / 100.0;
+    if (hundredth % 400 == 0) cutter.mark(time, 0.0);
+    if (hundredth % 170 == 0) cutter.add(reportAt(time), time);  // seldom
+    cutter.advance(time);
+    if (hundredth > 3000) most = std::max(most, sectors_.size() - before);
+    before = sectors_.size();
+  }
+  EXPECT_EQ(most, 1u);
+  EXPECT_NEAR(sectors_.back().leave_time, kStart + 60.0 - options.latency, 0.2);
+  EXPECT_TRUE(faults_.empty());
 }
 
 // Reports leave a radar in the order in which they were worked on.
