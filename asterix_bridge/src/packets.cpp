@@ -49,7 +49,7 @@ ByteReader readIp(ByteReader& reader, std::uint16_t type) {
   std::uint8_t protocol = 0;
   std::size_t rest = 0;
   if (type == kIpv4) {
-    const std::size_t header = (reader.u8() & 15u) * 4u;
+    const std::size_t header = std::size_t{4} * (reader.u8() & 15u);
     reader.take(1);
     const std::size_t total = reader.u16();
     reader.take(2);
