@@ -1,6 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <string>
+#include <vector>
 
 #include <tws_core/angles.h>
 
@@ -26,5 +28,11 @@ struct Fault {
 
   bool isActiveAt(double time) const { return time >= from && time < to; }
 };
+
+/// One of these faults of that kind is active.
+inline bool isFaulty(const std::vector<Fault>& faults, FaultKind kind, double time) {
+  const auto applies = [&](const Fault& fault) { return fault.kind == kind && fault.isActiveAt(time); };
+  return std::any_of(faults.begin(), faults.end(), applies);
+}
 
 }  // namespace radar_sim

@@ -37,23 +37,26 @@ RotatingRadar::RotatingRadar(RadarParams params, const Eigen::Isometry3d& map_to
       targets_(targets),
       faults_(std::move(faults)),
       seed_(seed),
-      antenna_(params_.rotation_period, params_.start_azimuth, start_time),
-      next_sector_(antenna_.firstSector()),
-      next_false_alarm_sector_(antenna_.firstSector()) {
-  for (std::size_t i = 0; i < targets.size(); ++i) {
-    target_streams_.push_back(RandomStream::hash(params_.name + "/" + targets[i].name));
-    stated_snr_.push_back(statedSnr(targets[i].reflection, params_.false_alarm_probability));
-    scheduleCrossing(i, start_time);
+      mast_(params_.rotation_period, params_.start_azimuth, params_.time_lsb, start_time),
+      crossings_(
+          mast_.antenna(), targets,
+          [this](std::size_t target, double time) { return polarOf(targets_[target], time).azimuth; }, start_time),
+      next_false_alarm_sector_(mast_.nextSector()) {
+  for (const Target& target : targets) {
+    target_streams_.push_back(RandomStream::hash(params_.name + "/" + target.name));
+    stated_snr_.push_back(statedSnr(target.reflection, params_.false_alarm_probability));
   }
 }
 
 tws::RadarSector RotatingRadar::closeSector() {
+  const SectorSpan span = mast_.closeSector();
   tws::RadarSector sector;
-  sector.running = next_sector_++;
-  sector.sector = static_cast<int>(sector.running % tws::kSectors);
-  sector.enter_time = markTime(sector.running);
-  sector.leave_time = markTime(next_sector_);
-  for (const Echo& echo : takeEchoes(antenna_.entryTime(next_sector_))) sector.plots.push_back(measure(echo, sector));
+  sector.running = span.running;
+  sector.sector = static_cast<int>(span.running % tws::kSectors);
+  sector.enter_time = span.enter_time;
+  sector.leave_time = span.leave_time;
+  for (const Echo& echo : takeEchoes(antenna().entryTime(mast_.nextSector())))
+    sector.plots.push_back(measure(echo, span));
   return sector;
 }
 
@@ -70,53 +73,21 @@ double RotatingRadar::detectionProbability(std::size_t target, double time) cons
                                          params_.false_alarm_probability);
 }
 
-double RotatingRadar::rotationPeriod(std::int64_t running_sector) const {
-  const std::int64_t turn_ago = running_sector - tws::kSectors;
-  return turn_ago > antenna_.firstSector() ? markTime(running_sector) - markTime(turn_ago) : tws::Plot::kUnknown;
-}
-
-bool RotatingRadar::isFaulty(FaultKind kind, double time) const {
-  const auto applies = [&](const Fault& fault) { return fault.kind == kind && fault.isActiveAt(time); };
-  return std::any_of(faults_.begin(), faults_.end(), applies);
-}
-
 double RotatingRadar::meanSnrOf(std::size_t target, double time, double slant_range) const {
   if (!std::isnan(stated_snr_[target])) return stated_snr_[target];
   const Target& it = targets_[target];
   return meanSnr(params_, it.reflection.rcs, slant_range, it.trajectory->at(time).height);
 }
 
-// The clock is a counter: it tells the last tick gone by. A millionth of a tick keeps ticks themselves from rounding
-// down.
-double RotatingRadar::clockTime(double time) const {
-  return params_.time_lsb > 0.0 ? std::floor(time / params_.time_lsb + 1e-6) * params_.time_lsb : time;
-}
-
-void RotatingRadar::scheduleCrossing(std::size_t target, double after) {
-  const Trajectory& trajectory = *targets_[target].trajectory;
-  for (double from = trajectory.nextExistence(after); std::isfinite(from);) {
-    const auto crossing = antenna_.crossing(from, [&](double time) { return polarOf(targets_[target], time).azimuth; });
-    if (!crossing) return crossings_.push({from + params_.rotation_period / 4.0, target, false});
-    if (trajectory.existsAt(*crossing)) return crossings_.push({*crossing, target, true});
-    from = trajectory.nextExistence(*crossing);
-  }
-}
-
 void RotatingRadar::illuminateTargets(double until) {
-  while (!crossings_.empty() && crossings_.top().time < until) {
-    const Crossing crossing = crossings_.top();
-    crossings_.pop();
-    if (crossing.found) illuminate(crossing.target, crossing.time);
-    // A quarter turn on, lest the same crossing be found again.
-    scheduleCrossing(crossing.target, crossing.time + (crossing.found ? params_.rotation_period / 4.0 : 0.0));
-  }
+  while (const auto crossing = crossings_.next(until)) illuminate(crossing->target, crossing->time);
 }
 
 void RotatingRadar::illuminate(std::size_t target, double time) {
   const Target& it = targets_[target];
   const tws::Polar polar = polarOf(it, time);
   if (isBlindAt(time) || !isInstrumented(polar.range)) return;
-  const double turns = (antenna_.angleAt(time) - polar.azimuth) / tws::kTwoPi;
+  const double turns = (antenna().angleAt(time) - polar.azimuth) / tws::kTwoPi;
   RandomStream random(seed_, target_streams_[target], static_cast<std::uint64_t>(std::lround(turns)));
   const double power = drawPower(it.reflection.fluctuation, meanSnrOf(target, time, polar.range), random);
   if (power < -std::log(params_.false_alarm_probability)) return;
@@ -130,7 +101,7 @@ void RotatingRadar::illuminate(std::size_t target, double time) {
 }
 
 void RotatingRadar::raiseFalseAlarms(double until) {
-  for (; antenna_.entryTime(next_false_alarm_sector_) < until; ++next_false_alarm_sector_) {
+  for (; antenna().entryTime(next_false_alarm_sector_) < until; ++next_false_alarm_sector_) {
     drawFalseAlarms(next_false_alarm_sector_, params_.false_alarms_per_scan, nullptr, "/false alarms");
     for (std::size_t i = 0; i < faults_.size(); ++i) {
       const Fault& fault = faults_[i];
@@ -142,8 +113,8 @@ void RotatingRadar::raiseFalseAlarms(double until) {
 
 void RotatingRadar::drawFalseAlarms(std::int64_t sector, double per_scan, const Fault* burst,
                                     const std::string& stream) {
-  const double enter = antenna_.entryTime(sector);
-  const double leave = antenna_.entryTime(sector + 1);
+  const double enter = antenna().entryTime(sector);
+  const double leave = antenna().entryTime(sector + 1);
   const double mean = per_scan * (leave - enter) / params_.rotation_period;
   if (mean <= 0.0) return;
   RandomStream random(seed_, params_.name + stream, static_cast<std::uint64_t>(sector));
@@ -156,7 +127,7 @@ void RotatingRadar::drawFalseAlarms(std::int64_t sector, double per_scan, const 
     const double time = when(random);
     const double range = std::pow(how_far(random), 1.0 / exponent);
     const double power = above_threshold(random) - std::log(params_.false_alarm_probability);
-    const double azimuth = antenna_.azimuthAt(time);
+    const double azimuth = antenna().azimuthAt(time);
     if (isBlindAt(time) || (burst != nullptr && !(burst->isActiveAt(time) && isWithin(*burst, azimuth)))) continue;
     pending_.push_back({time, range, azimuth, power});
   }
@@ -164,7 +135,7 @@ void RotatingRadar::drawFalseAlarms(std::int64_t sector, double per_scan, const 
 
 // Cells that begin in this sector may end in the next one, and their centre of power may lie there.
 std::vector<Echo> RotatingRadar::takeEchoes(double until) {
-  const double complete = until + params_.azimuth_beamwidth / antenna_.rate();
+  const double complete = until + params_.azimuth_beamwidth / antenna().rate();
   illuminateTargets(complete);
   raiseFalseAlarms(complete);
   const auto isEarlier = [](const Echo& a, const Echo& b) { return a.time < b.time; };
@@ -179,11 +150,10 @@ std::vector<Echo> RotatingRadar::takeEchoes(double until) {
   return echoes;
 }
 
-tws::Plot RotatingRadar::measure(const Echo& echo, const tws::RadarSector& sector) const {
+tws::Plot RotatingRadar::measure(const Echo& echo, const SectorSpan& sector) const {
   const double snr = echo.power - 1.0;
   tws::Plot plot;
-  plot.time = std::clamp(clockTime(echo.time), sector.enter_time,
-                         std::max(sector.enter_time, sector.leave_time - params_.time_lsb));
+  plot.time = mast_.stampWithin(sector, echo.time);
   plot.range = std::max(tws::quantise(echo.range + echo.range_error, params_.range_lsb), kLeastRange);
   plot.azimuth = tws::wrapTwoPi(tws::quantise(echo.azimuth + echo.azimuth_error, params_.azimuth_lsb));
   plot.range_sigma = noiseSigma(params_, params_.range_sigma, rangeCell(params_), snr);

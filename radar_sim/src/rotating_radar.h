@@ -2,14 +2,14 @@
 
 #include <Eigen/Geometry>
 #include <cstdint>
-#include <queue>
 #include <vector>
 
 #include <tws_core/geometry.h>
 #include <tws_core/plot.h>
 
-#include "antenna.h"
+#include "beam_crossings.h"
 #include "fault.h"
+#include "mast.h"
 #include "radar_params.h"
 #include "resolution.h"
 #include "target.h"
@@ -27,18 +27,20 @@ class RotatingRadar {
   /// those of this radar. Times in [s of data time].
   RotatingRadar(RadarParams params, const Eigen::Isometry3d& map_to_site, const std::vector<Target>& targets,
                 std::vector<Fault> faults, std::uint64_t seed, double start_time);
+  RotatingRadar(const RotatingRadar&) = delete;
+  RotatingRadar& operator=(const RotatingRadar&) = delete;
 
   const RadarParams& params() const { return params_; }
-  const Antenna& antenna() const { return antenna_; }
+  const Antenna& antenna() const { return mast_.antenna(); }
 
   /// Time of the mark that closes the next sector, as the radar's clock tells it [s of data time].
-  double nextMark() const { return markTime(next_sector_ + 1); }
+  double nextMark() const { return mast_.nextMark(); }
   /// Goes on by one sector and returns it. Its times, and those of its plots, are the radar clock's: plots lie within
   /// their sector.
   tws::RadarSector closeSector();
 
   /// During an outage there is neither mark nor detection; the antenna still turns.
-  bool isSilentAt(double time) const { return isFaulty(FaultKind::kOutage, time); }
+  bool isSilentAt(double time) const { return isFaulty(faults_, FaultKind::kOutage, time); }
   /// Slant range, azimuth and elevation of a target at the site.
   tws::Polar polarOf(const Target& target, double time) const;
   /// Chance that the radar would detect the target on one scan, were the beam on it now; 0 outside the instrumented
@@ -46,44 +48,29 @@ class RotatingRadar {
   /// targets.
   double detectionProbability(std::size_t target, double time) const;
   /// Duration of the turn that ended with the mark of that running sector; NaN before the first full turn [s].
-  double rotationPeriod(std::int64_t running_sector) const;
+  double rotationPeriod(std::int64_t running_sector) const { return mast_.rotationPeriod(running_sector); }
 
  private:
-  struct Crossing {
-    double time;
-    std::size_t target;
-    bool found;  ///< false: there was none; search again from `time` on.
-    bool operator>(const Crossing& other) const {
-      return time != other.time ? time > other.time : target > other.target;
-    }
-  };
-
-  bool isFaulty(FaultKind kind, double time) const;
-  bool isBlindAt(double time) const { return isSilentAt(time) || isFaulty(FaultKind::kMissedScan, time); }
+  bool isBlindAt(double time) const { return isSilentAt(time) || isFaulty(faults_, FaultKind::kMissedScan, time); }
   bool isInstrumented(double range) const { return range >= params_.min_range && range <= params_.max_range; }
   /// After integration, linear; for a target in reach of `slant_range`.
   double meanSnrOf(std::size_t target, double time, double slant_range) const;
-  double clockTime(double time) const;
-  double markTime(std::int64_t running_sector) const { return clockTime(antenna_.entryTime(running_sector)); }
-
-  void scheduleCrossing(std::size_t target, double after);
   void illuminateTargets(double until);
   void illuminate(std::size_t target, double time);
   void raiseFalseAlarms(double until);
   void drawFalseAlarms(std::int64_t sector, double per_scan, const Fault* burst, const std::string& stream);
   std::vector<Echo> takeEchoes(double until);
-  tws::Plot measure(const Echo& echo, const tws::RadarSector& sector) const;
+  tws::Plot measure(const Echo& echo, const SectorSpan& sector) const;
 
   RadarParams params_;
   Eigen::Isometry3d map_to_site_;
   const std::vector<Target>& targets_;
   std::vector<Fault> faults_;
   std::uint64_t seed_;
-  Antenna antenna_;
+  Mast mast_;
   std::vector<std::uint64_t> target_streams_;
   std::vector<double> stated_snr_;  ///< Of targets with a stated detection probability; else NaN.
-  std::priority_queue<Crossing, std::vector<Crossing>, std::greater<>> crossings_;
-  std::int64_t next_sector_;
+  BeamCrossings crossings_;
   std::int64_t next_false_alarm_sector_;
   std::vector<Echo> pending_;   ///< Detected, their resolution cell still open; in order of time.
   std::vector<Echo> resolved_;  ///< Not yet in a closed sector.
