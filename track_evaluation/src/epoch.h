@@ -34,13 +34,13 @@ struct TruthState {
 /// One believed track, extrapolated to an epoch.
 struct TrackState {
   std::uint32_t id = 0;  ///< Unique in the run.
+  std::uint16_t mode_3a = kCodeUnknown;
+  bool has_height = true;  ///< False: a position on the slant plane.
   PlanarState state;
-  bool has_height = true;         ///< False: a position on the slant plane.
   double age = 0.0;               ///< Since the instant at which its tracker stated position and velocity [s], >= 0.
   double last_update = kUnknown;  ///< Of the latest detection used [s].
+  double height = kUnknown;       ///< [m]
   std::optional<Eigen::Matrix4d> covariance;  ///< Of x, y, vx, vy [m, m/s].
-  std::uint16_t mode_3a = kCodeUnknown;
-  double height = kUnknown;  ///< [m]
 };
 
 /// Truth and tracks at one instant [s].

@@ -84,7 +84,10 @@ class EvaluationNode::Impl {
     for (const std::string& name : params_.trackers) {
       trackers_.try_emplace(
           name, params_, [this](const std::string& radar, const std::string& frame) { return site(radar, frame); },
-          [this, name = name](const Epoch& epoch, const Evaluator& evaluator) { files.add(name, epoch, evaluator); });
+          [this, name = name](const Epoch& epoch, const Evaluator& evaluator) { files.add(name, epoch, evaluator); },
+          [this, name = name](const tws_msgs::Track& track) {
+            files.addTrack(name, toSeconds(track.stamp), track.uid, {track.position.x, track.position.y});
+          });
     }
     identified_plots = 0;
   }

@@ -11,6 +11,7 @@ namespace {
 template <class States>
 void checkOnce(const States& states, const std::string& what, double time) {
   std::vector<std::uint32_t> ids;
+  ids.reserve(states.size());
   for (const auto& state : states) ids.push_back(state.id);
   std::sort(ids.begin(), ids.end());
   const auto twice = std::adjacent_find(ids.begin(), ids.end());

@@ -92,6 +92,7 @@ std::vector<Epoch> epochsOf(const std::vector<CsvState>& truth, const std::vecto
   std::map<double, Epoch> by_time = truthEpochs(truth);
   resample_age ? addResampled(by_time, tracks, *resample_age) : addAtEpochs(by_time, tracks);
   std::vector<Epoch> epochs;
+  epochs.reserve(by_time.size());
   for (auto& [time, epoch] : by_time) epochs.push_back(std::move(epoch));
   return epochs;
 }

@@ -36,10 +36,9 @@ TrackState stateOf(const Track& track, double time) {
 }  // namespace
 
 std::string faultOf(const Track& track) {
-  const std::pair<const char*, double> numbers[] = {{"position.x", track.position.x},
-                                                    {"position.y", track.position.y},
-                                                    {"velocity.x", track.velocity.x},
-                                                    {"velocity.y", track.velocity.y}};
+  const std::pair<const char*, double> numbers[] = {{"position.x", track.position.x}, {"position.y", track.position.y},
+                                                    {"velocity.x", track.velocity.x}, {"velocity.y", track.velocity.y},
+                                                    {"range", track.range},           {"azimuth", track.azimuth}};
   for (const auto& [name, value] : numbers)
     if (!std::isfinite(value)) return std::string(name) + " is " + std::to_string(value);
   if (track.state < Track::TENTATIVE || track.state > Track::DROPPED) return "state is " + std::to_string(track.state);

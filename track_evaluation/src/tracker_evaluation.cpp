@@ -14,11 +14,13 @@ constexpr std::size_t kTracks = 0, kTruth = 1;
 
 }  // namespace
 
-TrackerEvaluation::TrackerEvaluation(const EvaluationParams& params, FindSite find_site, OnEpoch on_epoch)
+TrackerEvaluation::TrackerEvaluation(const EvaluationParams& params, FindSite find_site, OnEpoch on_epoch,
+                                     OnUpdate on_update)
     : identity(params.identity),
       params_(params),
       find_site_(std::move(find_site)),
       on_epoch_(std::move(on_epoch)),
+      on_update_(std::move(on_update)),
       order_(2, params.skew_limit),
       picture_(params.longest_silence) {}
 
@@ -59,6 +61,7 @@ void TrackerEvaluation::addUpdates(const tws_msgs::Tracks& message) {
     if (track.state != tws_msgs::Track::FIRM || update <= known || !faultOf(track).empty()) continue;
     known = update;
     identity.addUpdate(update, track.uid, tws::planarFromPolar(track.range, track.azimuth));
+    if (!evaluator_) on_update_(track);
   }
 }
 
@@ -78,7 +81,7 @@ void TrackerEvaluation::take(const tws_msgs::Truth& message) {
     return;  // A second message of one instant.
   }
   ++epochs_;
-  if (on_epoch_) on_epoch_(epoch, *evaluator_);
+  on_epoch_(epoch, *evaluator_);
 }
 
 }  // namespace track_evaluation

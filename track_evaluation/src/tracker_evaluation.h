@@ -24,7 +24,10 @@ class TrackerEvaluation {
   using FindSite = std::function<Eigen::Vector3d(const std::string& radar, const std::string& frame)>;
   using OnEpoch = std::function<void(const Epoch&, const Evaluator&)>;
 
-  TrackerEvaluation(const EvaluationParams& params, FindSite find_site, OnEpoch on_epoch);
+  /// A believed track was updated; called only while there is no truth.
+  using OnUpdate = std::function<void(const tws_msgs::Track&)>;
+
+  TrackerEvaluation(const EvaluationParams& params, FindSite find_site, OnEpoch on_epoch, OnUpdate on_update);
 
   /// False: it came too late, and (truth) was left out or (tracks) will show later than it should.
   bool add(const tws_msgs::Truth& message);
@@ -47,6 +50,7 @@ class TrackerEvaluation {
   const EvaluationParams& params_;
   FindSite find_site_;
   OnEpoch on_epoch_;
+  OnUpdate on_update_;
   tws::TimeOrder<Input> order_;
   TrackPicture picture_;
   std::optional<Evaluator> evaluator_;
