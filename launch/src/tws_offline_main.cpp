@@ -81,7 +81,8 @@ int main(int argc, char** argv) {
         ->required()
         ->check(CLI::ExistingFile);
     app.add_option("--out", options.out, "folder for run.bag");
-    app.add_option("--params", options.params, "parameter set of the ADIT tracker: default or nrl7952");
+    app.add_option("--params", options.params,
+                   "parameter set of the ADIT tracker: default, nrl7952 or the path of a file");
     app.add_option("--seed", options.seed, "of the random numbers, in place of the scenario's")->check(seedProblem);
     tws_launch::addDuration(app, options.duration);
     if (const auto status = tws_launch::parse(app, argc, argv)) return *status;
