@@ -16,7 +16,6 @@ struct SourceId {
   std::uint8_t sac = 0;
   std::uint8_t sic = 0;
 };
-inline bool operator==(SourceId a, SourceId b) { return a.sac == b.sac && a.sic == b.sic; }
 inline bool operator<(SourceId a, SourceId b) { return a.sac != b.sac ? a.sac < b.sac : a.sic < b.sic; }
 
 /// A reply to an SSR interrogation, with its validity bits.

@@ -59,9 +59,6 @@ class SectorCutter {
   /// There will be no more: all that is left comes out, up to the sector of the last report.
   void finish();
 
-  /// Reports that wait for the beam to be known.
-  std::size_t waiting() const { return beam_.isKnown() ? 0 : reports_.size(); }
-
  private:
   bool isPossible(double time);
   void beginAnew();
