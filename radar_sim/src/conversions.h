@@ -6,6 +6,7 @@
 #include <string>
 
 #include <tws_msgs/SectorMark.h>
+#include <tws_msgs/SsrPlots.h>
 #include <tws_msgs/Truth.h>
 
 #include "simulation.h"
@@ -17,6 +18,8 @@ constexpr const char* kMapFrame = "map";
 
 /// Messages of what a simulation reports. A radar's frame has the radar's name.
 tws_msgs::SectorMark toSectorMark(const SectorReport& report, const Simulation& simulation);
+tws_msgs::SectorMark toSectorMark(const SecondarySectorReport& report, const Simulation& simulation);
+tws_msgs::SsrPlots toSsrPlots(const SecondarySector& sector, const std::string& radar);
 tws_msgs::Truth toTruth(const TruthReport& report, const Simulation& simulation);
 
 /// The pose of the radar's frame in the map.

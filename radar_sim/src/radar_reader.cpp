@@ -73,7 +73,8 @@ void readMeasurement(ParameterReader& reader, RadarParams& radar) {
   radar.false_alarms_by_area = by == "area";
 }
 
-/// It becomes the first part of topic names, and a frame beside "map".
+}  // namespace
+
 void readRadarName(ParameterReader& reader, std::string& name) {
   readName(reader, name);
   if (std::isalpha(static_cast<unsigned char>(name[0])) == 0 || name.find('-') != std::string::npos) {
@@ -81,8 +82,6 @@ void readRadarName(ParameterReader& reader, std::string& name) {
   }
   if (name == "map") reader.fail("name", "'map' is the frame of the whole scenario");
 }
-
-}  // namespace
 
 RadarParams readRadar(ParameterReader& reader) {
   std::string type = "generic";

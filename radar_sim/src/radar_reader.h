@@ -8,4 +8,7 @@ namespace radar_sim {
 /// One entry of the scenario's list `radars`: a type and what differs from it.
 RadarParams readRadar(ParameterReader& reader);
 
+/// `name` of a radar: it becomes the first part of topic names, and a frame beside "map".
+void readRadarName(ParameterReader& reader, std::string& name);
+
 }  // namespace radar_sim

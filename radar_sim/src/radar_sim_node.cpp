@@ -37,6 +37,13 @@ std::unique_ptr<Simulation> makeSimulation(const Scenario& scenario, const std::
   }
 }
 
+template <class Params>
+std::vector<std::string> namesOf(const std::vector<Params>& radars) {
+  std::vector<std::string> names;
+  for (const Params& radar : radars) names.push_back(radar.name);
+  return names;
+}
+
 }  // namespace
 
 RadarSimNode::RadarSimNode(tws_runtime::Bus& bus)
@@ -54,6 +61,11 @@ void RadarSimNode::advertise(tws_runtime::Bus& bus) {
                              bus.advertise<tws_msgs::SectorMark>("/" + radar.name + "/sector_marks")});
     bus.publishStaticTransform(toTransform(mapToRadar(*scenario_, radar), radar.name));
   }
+  for (const SecondaryParams& radar : scenario_->secondary_radars) {
+    secondary_topics_.push_back({bus.advertise<tws_msgs::SsrPlots>("/" + radar.name + "/plots"),
+                                 bus.advertise<tws_msgs::SectorMark>("/" + radar.name + "/sector_marks")});
+    bus.publishStaticTransform(toTransform(mapToRadar(*scenario_, radar), radar.name));
+  }
 }
 
 std::optional<ros::Time> RadarSimNode::nextTime() const {
@@ -63,11 +75,9 @@ std::optional<ros::Time> RadarSimNode::nextTime() const {
 
 std::optional<ros::Time> RadarSimNode::endTime() const { return tws_runtime::toTime(scenario_->endTime()); }
 
-std::vector<std::string> RadarSimNode::radars() const {
-  std::vector<std::string> names;
-  for (const RadarParams& radar : scenario_->radars) names.push_back(radar.name);
-  return names;
-}
+std::vector<std::string> RadarSimNode::radars() const { return namesOf(scenario_->radars); }
+
+std::vector<std::string> RadarSimNode::secondaryRadars() const { return namesOf(scenario_->secondary_radars); }
 
 double RadarSimNode::duration() const { return scenario_->duration; }
 
@@ -79,6 +89,12 @@ void RadarSimNode::publish(const SectorReport& report) {
   const std::string& radar = simulation_->radars()[report.radar].params().name;
   radar_topics_[report.radar].detections.publish(tws_runtime::toDetections(report.sector, radar, radar));
   radar_topics_[report.radar].marks.publish(toSectorMark(report, *simulation_));
+}
+
+void RadarSimNode::publish(const SecondarySectorReport& report) {
+  const std::string& radar = simulation_->secondaryRadars()[report.radar].params().name;
+  secondary_topics_[report.radar].plots.publish(toSsrPlots(report.sector, radar));
+  secondary_topics_[report.radar].marks.publish(toSectorMark(report, *simulation_));
 }
 
 void RadarSimNode::publish(const TruthReport& report) { truth_topic_.publish(toTruth(report, *simulation_)); }

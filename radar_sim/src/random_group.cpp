@@ -87,7 +87,7 @@ Life drawLife(const RandomGroup& group, bool first, double origin_altitude, doub
 
 Target makeTarget(const RandomGroup& group, const std::string& name, const Life& life, double origin_altitude,
                   RandomStream& random) {
-  Target target{name, group.kind, group.reflection, nullptr};
+  Target target{name, group.kind, group.reflection, nullptr, {}};
   target.reflection.rcs = std::exp(draw({std::log(group.rcs.least), std::log(group.rcs.greatest)}, random));
   target.trajectory = std::make_shared<FlightPath>(life.start, life.legs, origin_altitude, life.end);
   return target;
@@ -106,6 +106,7 @@ std::vector<Target> drawGroup(const RandomGroup& group, std::uint64_t seed, doub
       const Life life = drawLife(group, life_index == 0, origin_altitude, time, random);
       const std::string full_name = group.rebirth ? name + "/" + std::to_string(life_index) : name;
       targets.push_back(makeTarget(group, full_name, life, origin_altitude, random));
+      targets.back().transponder = drawTransponder(group.transponders, seed, full_name);
       time = life.end;
     }
   }

@@ -26,6 +26,8 @@ struct RandomGroup {
   Interval rcs{2.0, 10.0};           ///< [m²]; drawn uniform in decibels.
   Reflection reflection;             ///< All but the radar cross-section.
 
+  TransponderShares transponders;
+
   // Manoeuvres: straight legs and turns in alternation, for this share of the targets.
   double turning_fraction = 0.0;                 ///< 0 .. 1
   Interval turn_rate{0.0, 0.0};                  ///< Either way [rad/s].

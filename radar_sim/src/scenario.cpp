@@ -9,7 +9,8 @@
 namespace radar_sim {
 namespace {
 
-tws::Geodetic antennaPlace(const Scenario& scenario, const RadarParams& radar, const tws::LocalFrame& map) {
+template <class Radar>
+tws::Geodetic antennaPlace(const Scenario& scenario, const Radar& radar, const tws::LocalFrame& map) {
   const auto hasItsName = [&](const Site& site) { return site.name == radar.site; };
   const auto site = std::find_if(scenario.sites.begin(), scenario.sites.end(), hasItsName);
   if (site == scenario.sites.end())
@@ -22,10 +23,21 @@ tws::Geodetic antennaPlace(const Scenario& scenario, const RadarParams& radar, c
   return place;
 }
 
+template <class Radar>
+Eigen::Isometry3d mapToAntenna(const Scenario& scenario, const Radar& radar) {
+  const tws::LocalFrame map(scenario.origin);
+  const tws::LocalFrame site(antennaPlace(scenario, radar, map));
+  Eigen::Isometry3d map_to_radar = Eigen::Isometry3d::Identity();
+  map_to_radar.linear() = site.ecefFromEnuRotation().transpose() * map.ecefFromEnuRotation();
+  map_to_radar.translation() = site.toEnu(map.origin());
+  return map_to_radar;
+}
+
 }  // namespace
 
 std::vector<Target> allTargets(const Scenario& scenario) {
   std::vector<Target> targets = scenario.targets;
+  for (Target& target : targets) target.transponder = drawCodes(target.transponder, scenario.seed, target.name);
   for (const RandomGroup& group : scenario.groups) {
     for (Target& target :
          drawGroup(group, scenario.seed, scenario.origin.altitude, scenario.start_time, scenario.endTime())) {
@@ -41,12 +53,11 @@ std::vector<Target> allTargets(const Scenario& scenario) {
 }
 
 Eigen::Isometry3d mapToRadar(const Scenario& scenario, const RadarParams& radar) {
-  const tws::LocalFrame map(scenario.origin);
-  const tws::LocalFrame site(antennaPlace(scenario, radar, map));
-  Eigen::Isometry3d map_to_radar = Eigen::Isometry3d::Identity();
-  map_to_radar.linear() = site.ecefFromEnuRotation().transpose() * map.ecefFromEnuRotation();
-  map_to_radar.translation() = site.toEnu(map.origin());
-  return map_to_radar;
+  return mapToAntenna(scenario, radar);
+}
+
+Eigen::Isometry3d mapToRadar(const Scenario& scenario, const SecondaryParams& radar) {
+  return mapToAntenna(scenario, radar);
 }
 
 }  // namespace radar_sim

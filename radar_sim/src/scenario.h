@@ -11,6 +11,7 @@
 #include "fault.h"
 #include "radar_params.h"
 #include "random_group.h"
+#include "secondary_params.h"
 #include "target.h"
 
 namespace radar_sim {
@@ -29,6 +30,7 @@ struct Scenario {
   tws::Geodetic origin;        ///< Altitude above the sea [m].
   std::vector<Site> sites;
   std::vector<RadarParams> radars;
+  std::vector<SecondaryParams> secondary_radars;
   std::vector<Target> targets;  ///< Those that are given one by one.
   std::vector<RandomGroup> groups;
   std::vector<Fault> faults;
@@ -46,10 +48,12 @@ struct ScenarioOverrides {
 /// contradicts itself. Files that the scenario names are looked for from its own folder.
 Scenario loadScenario(const std::string& path, const ScenarioOverrides& overrides = {});
 
-/// The given targets, then those of the random groups. Throws std::invalid_argument when a name is used twice.
+/// The given targets, then those of the random groups; what is to be drawn of their transponders is drawn. Throws
+/// std::invalid_argument when a name is used twice.
 std::vector<Target> allTargets(const Scenario& scenario);
 
 /// Takes map coordinates to the radar's own east, north, up at its antenna.
 Eigen::Isometry3d mapToRadar(const Scenario& scenario, const RadarParams& radar);
+Eigen::Isometry3d mapToRadar(const Scenario& scenario, const SecondaryParams& radar);
 
 }  // namespace radar_sim

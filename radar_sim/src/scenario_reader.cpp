@@ -6,6 +6,7 @@
 #include "radar_reader.h"
 #include "reading.h"
 #include "scenario.h"
+#include "secondary_reader.h"
 #include "target_reader.h"
 
 namespace radar_sim {
@@ -43,18 +44,26 @@ void readSites(ParameterReader& reader, const ReadingContext& context, Scenario&
   if (scenario.sites.empty()) scenario.sites.push_back({"origin", {0.0, 0.0}});
 }
 
+/// Where there is one site only, a radar need not name it.
+void settleSite(std::string& site, const Scenario& scenario, const ParameterReader& entry) {
+  if (site.empty() && scenario.sites.size() > 1) entry.fail("site", "is required, as there are several sites");
+  if (site.empty()) site = scenario.sites.front().name;
+  const auto isItsSite = [&](const Site& known) { return known.name == site; };
+  if (std::none_of(scenario.sites.begin(), scenario.sites.end(), isItsSite))
+    entry.fail("site", "there is no site '" + site + "'");
+}
+
 void readRadars(ParameterReader& reader, Scenario& scenario) {
   std::set<std::string> names;
   for (ParameterReader& entry : reader.list("radars")) {
-    RadarParams radar = readRadar(entry);
-    refuseSecond(names, radar.name, entry);
-    if (radar.site.empty() && scenario.sites.size() > 1) entry.fail("site", "is required, as there are several sites");
-    if (radar.site.empty()) radar.site = scenario.sites.front().name;
-    const auto isItsSite = [&](const Site& site) { return site.name == radar.site; };
-    if (std::none_of(scenario.sites.begin(), scenario.sites.end(), isItsSite)) {
-      entry.fail("site", "there is no site '" + radar.site + "'");
-    }
-    scenario.radars.push_back(radar);
+    scenario.radars.push_back(readRadar(entry));
+    refuseSecond(names, scenario.radars.back().name, entry);
+    settleSite(scenario.radars.back().site, scenario, entry);
+  }
+  for (ParameterReader& entry : reader.list("secondary_radars")) {
+    scenario.secondary_radars.push_back(readSecondaryRadar(entry, scenario.radars));
+    refuseSecond(names, scenario.secondary_radars.back().name, entry);
+    settleSite(scenario.secondary_radars.back().site, scenario, entry);
   }
 }
 
@@ -84,6 +93,9 @@ Fault readFault(ParameterReader& reader, const Scenario& scenario) {
   reader.choice("type", type, {"outage", "missed_scan", "false_alarm_burst"});
   std::vector<std::string> radars;
   for (const RadarParams& radar : scenario.radars) radars.push_back(radar.name);
+  // A secondary radar has no false alarms: its FRUIT is a parameter of its own.
+  if (type != "false_alarm_burst")
+    for (const SecondaryParams& radar : scenario.secondary_radars) radars.push_back(radar.name);
   reader.require("radar");
   reader.choice("radar", fault.radar, radars);
   reader.require("from_s");

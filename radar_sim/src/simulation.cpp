@@ -1,51 +1,88 @@
 #include "simulation.h"
 
 #include <algorithm>
+#include <iterator>
+#include <limits>
 
 namespace radar_sim {
+namespace {
+
+std::vector<Fault> faultsOf(const Scenario& scenario, const std::string& radar) {
+  std::vector<Fault> faults;
+  const auto isItsOwn = [&](const Fault& fault) { return fault.radar == radar; };
+  std::copy_if(scenario.faults.begin(), scenario.faults.end(), std::back_inserter(faults), isItsOwn);
+  return faults;
+}
+
+/// Index of the radar whose mark comes first, of equal ones the first.
+template <class Radar>
+std::size_t earliest(const std::deque<Radar>& radars) {
+  const auto isEarlier = [](const Radar& a, const Radar& b) { return a.nextMark() < b.nextMark(); };
+  return static_cast<std::size_t>(std::min_element(radars.begin(), radars.end(), isEarlier) - radars.begin());
+}
+
+/// Infinite without radars.
+template <class Radar>
+double earliestMark(const std::deque<Radar>& radars) {
+  return radars.empty() ? std::numeric_limits<double>::infinity() : radars[earliest(radars)].nextMark();
+}
+
+std::int64_t runningOf(const tws::RadarSector& sector) { return sector.running; }
+std::int64_t runningOf(const SecondarySector& sector) { return sector.span.running; }
+double markOf(const tws::RadarSector& sector) { return sector.leave_time; }
+double markOf(const SecondarySector& sector) { return sector.span.leave_time; }
+
+}  // namespace
 
 Simulation::Simulation(const Scenario& scenario) : scenario_(scenario), targets_(allTargets(scenario)) {
-  for (const RadarParams& radar : scenario_.radars) {
-    std::vector<Fault> faults;
-    for (const Fault& fault : scenario_.faults) {
-      if (fault.radar == radar.name) faults.push_back(fault);
-    }
-    radars_.emplace_back(radar, mapToRadar(scenario_, radar), targets_, std::move(faults), scenario_.seed,
-                         scenario_.start_time);
-    skipSilence(radars_.back());
-  }
+  for (const RadarParams& radar : scenario_.radars) addRadar(radars_, radar);
+  for (const SecondaryParams& radar : scenario_.secondary_radars) addRadar(secondary_radars_, radar);
   plot_counts_.resize(radars_.size());
+  secondary_plot_counts_.resize(secondary_radars_.size());
+}
+
+template <class Radar, class Params>
+void Simulation::addRadar(std::deque<Radar>& radars, const Params& params) {
+  radars.emplace_back(params, mapToRadar(scenario_, params), targets_, faultsOf(scenario_, params.name), scenario_.seed,
+                      scenario_.start_time);
+  skipSilence(radars.back());
 }
 
 std::optional<double> Simulation::nextTime() const {
-  double time = truthTime();
-  if (!radars_.empty()) time = std::min(time, radars_[earliestRadar()].nextMark());
+  const double time = std::min({truthTime(), earliestMark(radars_), earliestMark(secondary_radars_)});
   return time <= scenario_.endTime() ? std::optional<double>(time) : std::nullopt;
 }
 
-std::variant<SectorReport, TruthReport> Simulation::step() {
-  if (radars_.empty() || truthTime() <= radars_[earliestRadar()].nextMark()) return takeTruth();
-  return closeSector(earliestRadar());
-}
-
-std::size_t Simulation::earliestRadar() const {
-  const auto isEarlier = [](const RotatingRadar& a, const RotatingRadar& b) { return a.nextMark() < b.nextMark(); };
-  return static_cast<std::size_t>(std::min_element(radars_.begin(), radars_.end(), isEarlier) - radars_.begin());
+std::variant<SectorReport, SecondarySectorReport, TruthReport> Simulation::step() {
+  const double primary = earliestMark(radars_);
+  const double secondary = earliestMark(secondary_radars_);
+  if (truthTime() <= std::min(primary, secondary)) return takeTruth();
+  const std::size_t radar = primary <= secondary ? earliest(radars_) : earliest(secondary_radars_);
+  if (primary <= secondary) {
+    auto report = closeSector<SectorReport>(radars_[radar], plot_counts_[radar]);
+    report.radar = radar;
+    return report;
+  }
+  auto report = closeSector<SecondarySectorReport>(secondary_radars_[radar], secondary_plot_counts_[radar]);
+  report.radar = radar;
+  return report;
 }
 
 // The antenna turns on and the sectors count on, but nobody hears of them.
-void Simulation::skipSilence(RotatingRadar& radar) const {
+template <class Radar>
+void Simulation::skipSilence(Radar& radar) const {
   while (radar.nextMark() <= scenario_.endTime() && radar.isSilentAt(radar.nextMark())) radar.closeSector();
 }
 
-SectorReport Simulation::closeSector(std::size_t index) {
-  RotatingRadar& radar = radars_[index];
-  SectorReport report{index, radar.closeSector(), 0, 0.0, {}};
-  report.plot_count = plot_counts_[index] += report.sector.plots.size();
-  report.rotation_period = radar.rotationPeriod(report.sector.running + 1);
-  const double mark = report.sector.leave_time;
+template <class Report, class Radar>
+Report Simulation::closeSector(Radar& radar, std::uint64_t& count) const {
+  Report report;
+  report.sector = radar.closeSector();
+  report.plot_count = count += report.sector.plots.size();
+  report.rotation_period = radar.rotationPeriod(runningOf(report.sector) + 1);
+  const double mark = markOf(report.sector);
   for (std::size_t other = 0; other < radars_.size(); ++other) {
-    if (other == index || radars_[other].isSilentAt(mark)) continue;
+    if (static_cast<const void*>(&radars_[other]) == &radar || radars_[other].isSilentAt(mark)) continue;
     report.others.push_back({other, radars_[other].antenna().azimuthAt(mark)});
   }
   skipSilence(radar);

@@ -7,20 +7,31 @@
 
 #include "rotating_radar.h"
 #include "scenario.h"
+#include "secondary_radar.h"
 
 namespace radar_sim {
 
-/// A sector that one radar has closed, and the mark that closes it.
-struct SectorReport {
-  std::size_t radar;         ///< Index in Simulation::radars().
-  tws::RadarSector sector;   ///< Its leave_time is the mark's time.
-  std::uint64_t plot_count;  ///< Plots of this radar since the start, these included.
-  double rotation_period;    ///< Of the latest full turn [s]; NaN before there was one.
+/// What the mark that closes a sector says besides.
+struct MarkReport {
+  std::uint64_t plot_count = 0;  ///< Plots of this radar since the start, the sector's included.
+  double rotation_period = 0.0;  ///< Of the latest full turn [s]; NaN before there was one.
   struct Beam {
-    std::size_t radar;
-    double azimuth;  ///< At the mark [rad].
+    std::size_t radar;  ///< Index in Simulation::radars().
+    double azimuth;     ///< At the mark [rad].
   };
-  std::vector<Beam> others;  ///< Of the other radars that are not silent.
+  std::vector<Beam> others;  ///< Of the other primary radars that are not silent.
+};
+
+/// A sector that one primary radar has closed, and the mark that closes it.
+struct SectorReport : MarkReport {
+  std::size_t radar;        ///< Index in Simulation::radars().
+  tws::RadarSector sector;  ///< Its leave_time is the mark's time.
+};
+
+/// The same of a secondary radar.
+struct SecondarySectorReport : MarkReport {
+  std::size_t radar;  ///< Index in Simulation::secondaryRadars().
+  SecondarySector sector;
 };
 
 /// Every target that exists at one instant.
@@ -40,7 +51,7 @@ struct TruthReport {
 };
 
 /// Runs a scenario: what happens next, in order of time. At equal times truth comes first, then the radars in their
-/// order. The same scenario gives the same reports, bit for bit.
+/// order, then the secondary ones. The same scenario gives the same reports, bit for bit.
 class Simulation {
  public:
   /// Throws std::invalid_argument when the scenario contradicts itself.
@@ -51,23 +62,31 @@ class Simulation {
   /// Time of what step() returns next [s of data time]; nothing: the scenario has ended.
   std::optional<double> nextTime() const;
   /// Must not be called after the end.
-  std::variant<SectorReport, TruthReport> step();
+  std::variant<SectorReport, SecondarySectorReport, TruthReport> step();
 
   const std::vector<Target>& targets() const { return targets_; }
   /// In the order of the scenario.
   const std::deque<RotatingRadar>& radars() const { return radars_; }
+  const std::deque<SecondaryRadar>& secondaryRadars() const { return secondary_radars_; }
 
  private:
   double truthTime() const { return scenario_.start_time + static_cast<double>(truth_count_) * scenario_.truth_period; }
-  std::size_t earliestRadar() const;
-  void skipSilence(RotatingRadar& radar) const;
-  SectorReport closeSector(std::size_t radar);
+  /// Makes the radar of these parameters, and lets it turn until it is heard of.
+  template <class Radar, class Params>
+  void addRadar(std::deque<Radar>& radars, const Params& params);
+  template <class Radar>
+  void skipSilence(Radar& radar) const;
+  /// `count`: of this radar's plots, goes on.
+  template <class Report, class Radar>
+  Report closeSector(Radar& radar, std::uint64_t& count) const;
   TruthReport takeTruth();
 
   Scenario scenario_;
   std::vector<Target> targets_;
   std::deque<RotatingRadar> radars_;
+  std::deque<SecondaryRadar> secondary_radars_;
   std::vector<std::uint64_t> plot_counts_;
+  std::vector<std::uint64_t> secondary_plot_counts_;
   std::uint64_t truth_count_ = 0;
 };
 

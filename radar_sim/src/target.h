@@ -6,6 +6,7 @@
 
 #include "detection_probability.h"
 #include "trajectory.h"
+#include "transponder.h"
 
 namespace radar_sim {
 
@@ -28,6 +29,7 @@ struct Target {
   TargetKind kind = TargetKind::kAircraft;
   Reflection reflection;
   std::shared_ptr<const Trajectory> trajectory;
+  Transponder transponder;
 };
 
 }  // namespace radar_sim

@@ -7,6 +7,7 @@
 
 #include "flight_path.h"
 #include "recorded_trajectory.h"
+#include "transponder_reader.h"
 
 namespace radar_sim {
 namespace {
@@ -25,6 +26,14 @@ Reflection defaultReflection(TargetKind kind) {
   if (kind == TargetKind::kSlowMover) reflection.detection_probability = 0.7;
   if (kind == TargetKind::kShip) reflection.rcs = 1000.0;
   return reflection;
+}
+
+/// Aircraft reply in modes 3/A and C, others not at all.
+Transponder defaultTransponder(TargetKind kind) {
+  Transponder transponder;
+  transponder.altitude = kind == TargetKind::kAircraft;
+  if (kind == TargetKind::kAircraft) transponder.codes[index(Mode::k3A)] = Transponder::kDrawn;
+  return transponder;
 }
 
 TargetKind readKind(ParameterReader& reader) {
@@ -135,6 +144,7 @@ RandomGroup groupDefaults(TargetKind kind) {
     group.turn_rate = {tws::radians(1.0), tws::radians(3.0)};
     group.rebirth = true;
     group.keep_out = 5000.0;
+    group.transponders = {1.0, 0.25};
     return group;
   }
   group.name = kind == TargetKind::kClutter ? "clutter" : "slow_mover";
@@ -167,6 +177,8 @@ Target readTarget(ParameterReader& reader, const ReadingContext& context) {
   target.reflection = defaultReflection(target.kind);
   readReflection(reader, target.reflection, true);
   target.trajectory = readTrajectory(reader, context);
+  target.transponder = defaultTransponder(target.kind);
+  readTransponder(reader, context, target.transponder);
   reader.done();
   return target;
 }
@@ -199,6 +211,7 @@ RandomGroup readGroup(ParameterReader& reader, TargetKind kind, const ReadingCon
   readReflection(reader, group.reflection, false);
   if (kind != TargetKind::kClutter) readGroupMotion(reader, group);
   if (kind == TargetKind::kAircraft) readInterval(reader, "rcs_m2", group.rcs, 1.0, 1e-6, 1e7);
+  if (kind != TargetKind::kClutter) readTransponderShares(reader, group.transponders);
   reader.done();
   return group;
 }

@@ -9,6 +9,7 @@
 
 #include <tws_msgs/Detections.h>
 #include <tws_msgs/SectorMark.h>
+#include <tws_msgs/SsrPlots.h>
 #include <tws_msgs/Truth.h>
 #include <tws_runtime/bus.h>
 #include <tws_runtime/source.h>
@@ -16,12 +17,13 @@
 namespace radar_sim {
 
 struct Scenario;
+struct SecondarySectorReport;
 struct SectorReport;
 struct TruthReport;
 class Simulation;
 
-/// The simulator as a source of messages: of each radar its detections and sector marks, the truth, and the radars'
-/// frames. Parameters (see the README): scenario, seed, duration.
+/// The simulator as a source of messages: of each radar its detections (a secondary one: plots) and sector marks, the
+/// truth, and the radars' frames. Parameters (see the README): scenario, seed, duration.
 class RadarSimNode : public tws_runtime::Source {
  public:
   /// Throws tws_runtime::ParameterError for a wrong parameter or scenario file.
@@ -32,8 +34,9 @@ class RadarSimNode : public tws_runtime::Source {
   void step() override;
   std::optional<ros::Time> endTime() const override;
 
-  /// Names of the rotating radars, in the scenario's order.
+  /// Names of the rotating primary radars, in the scenario's order; of the secondary ones.
   std::vector<std::string> radars() const;
+  std::vector<std::string> secondaryRadars() const;
   /// Data time from start to end [s].
   double duration() const;
 
@@ -42,14 +45,20 @@ class RadarSimNode : public tws_runtime::Source {
     tws_runtime::Publisher<tws_msgs::Detections> detections;
     tws_runtime::Publisher<tws_msgs::SectorMark> marks;
   };
+  struct SecondaryTopics {
+    tws_runtime::Publisher<tws_msgs::SsrPlots> plots;
+    tws_runtime::Publisher<tws_msgs::SectorMark> marks;
+  };
 
   void advertise(tws_runtime::Bus& bus);
   void publish(const SectorReport& report);
+  void publish(const SecondarySectorReport& report);
   void publish(const TruthReport& report);
 
   std::unique_ptr<const Scenario> scenario_;
   std::unique_ptr<Simulation> simulation_;
   std::vector<RadarTopics> radar_topics_;
+  std::vector<SecondaryTopics> secondary_topics_;
   tws_runtime::Publisher<tws_msgs::Truth> truth_topic_;
 };
 
