@@ -1,0 +1,27 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <tws_msgs/SsrPlots.h>
+#include <tws_msgs/Track.h>
+
+#include "secondary_tracker.h"
+
+namespace track_correlator {
+
+/// Where the radar stands in the frame of positions, and how its east is turned from the x axis, anticlockwise.
+struct Site {
+  double x = 0.0, y = 0.0, z = 0.0;  // [m]
+  double turn = 0.0;                 // [rad]
+};
+
+/// A message's sector. Plots without a usable position or time are left out, codes and heights out of range become
+/// unknown; `faults` gets a line for each.
+SecondarySector sectorOf(const tws_msgs::SsrPlots& message, std::vector<std::string>& faults);
+
+/// What the tracker says of a track. With a known height the position lies at that height above a flat earth, without
+/// one the slant range is laid on the ground.
+tws_msgs::Track trackMessage(const SecondaryWord& word, const Site& site, const std::string& radar);
+
+}  // namespace track_correlator
