@@ -32,6 +32,7 @@ Scenario traffic() {
 
 struct Record {
   std::vector<SectorReport> sectors;
+  std::vector<SecondarySectorReport> secondary;
   std::vector<TruthReport> truths;
   std::vector<double> times;
 };
@@ -45,6 +46,9 @@ Record run(const Scenario& scenario) {
     if (auto* sector = std::get_if<SectorReport>(&report)) {
       EXPECT_EQ(sector->sector.leave_time, *time);
       record.sectors.push_back(*sector);
+    } else if (auto* secondary = std::get_if<SecondarySectorReport>(&report)) {
+      EXPECT_EQ(secondary->sector.span.leave_time, *time);
+      record.secondary.push_back(*secondary);
     } else {
       EXPECT_EQ(std::get<TruthReport>(report).time, *time);
       record.truths.push_back(std::get<TruthReport>(report));
@@ -121,6 +125,65 @@ TEST(Simulation, GivesARadarTheSamePlotsWhenAnotherIsAdded) {
   const Record without = run(traffic());
   expectSamePlots(without, renumbered, 0);
   expectSamePlots(without, renumbered, 1);
+}
+
+Scenario withSecondary(Scenario scenario) {
+  SecondaryParams ssr;
+  ssr.name = "ssr";
+  ssr.site = "ship";
+  scenario.secondary_radars.push_back(ssr);
+  scenario.groups[0].transponders = {1.0, 0.25};
+  return scenario;
+}
+
+// As above, and the marks must not change either: a tracker would see another run.
+TEST(Simulation, GivesPrimaryRadarsTheSamePlotsMarksAndTruthWhenASecondaryOneIsAdded) {
+  const Record without = run(traffic());
+  const Record with = run(withSecondary(traffic()));
+  expectSamePlots(without, with, 0);
+  expectSamePlots(without, with, 1);
+  ASSERT_EQ(with.sectors.size(), without.sectors.size());
+  for (std::size_t i = 0; i < with.sectors.size(); ++i) {
+    EXPECT_EQ(with.sectors[i].sector.leave_time, without.sectors[i].sector.leave_time);
+    EXPECT_EQ(with.sectors[i].plot_count, without.sectors[i].plot_count);
+    ASSERT_EQ(with.sectors[i].others.size(), 1u);
+    EXPECT_EQ(with.sectors[i].others[0].azimuth, without.sectors[i].others[0].azimuth);
+  }
+  ASSERT_EQ(with.truths.size(), without.truths.size());
+  EXPECT_EQ(with.truths.back().entries.back().state.position, without.truths.back().entries.back().state.position);
+  EXPECT_EQ(with.truths.back().entries.back().sightings.size(), 2u);
+}
+
+TEST(Simulation, ReportsASecondaryRadarSectorBySectorAfterThePrimaryOfItsMast) {
+  const Record record = run(withSecondary(traffic()));
+  EXPECT_EQ(record.secondary.size(), 640u);
+  EXPECT_GT(record.secondary.back().plot_count, 180u);  // 20 aircraft in cover, ten turns
+  for (const SecondarySectorReport& report : record.secondary) EXPECT_EQ(report.others.size(), 2u);
+  Simulation simulation(withSecondary(traffic()));
+  int primary = 0, secondary = 0;
+  while (simulation.nextTime()) {
+    const auto report = simulation.step();
+    const auto* sector = std::get_if<SectorReport>(&report);
+    primary += sector != nullptr && sector->radar == 0;
+    secondary += std::holds_alternative<SecondarySectorReport>(report);
+    EXPECT_LE(secondary, primary);
+    EXPECT_LE(primary, secondary + 1);
+  }
+}
+
+// The feed stops and resumes: the consumers' case of a broken line.
+TEST(Simulation, SilencesASecondaryRadarAloneDuringItsOutage) {
+  Scenario scenario = withSecondary(traffic());
+  Fault outage;
+  outage.radar = "ssr";
+  outage.from = 1012.0;
+  outage.to = 1030.0;
+  scenario.faults.push_back(outage);
+  const Record record = run(scenario);
+  EXPECT_EQ(record.secondary.size(), 640u - 192u);
+  EXPECT_EQ(record.sectors.size(), 640u + 480u);
+  for (const SecondarySectorReport& report : record.secondary)
+    EXPECT_TRUE(report.sector.span.leave_time < 1012.0 || report.sector.span.leave_time >= 1030.0);
 }
 
 // An outage is silence: no marks, and the other radar is told nothing of this one's antenna.

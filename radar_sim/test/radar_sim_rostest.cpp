@@ -33,6 +33,7 @@ struct Heard {
   std::map<std::string, std::vector<Bytes>> bytes;  // by topic
   std::map<std::string, std::vector<tws_msgs::Detections>> detections;
   std::map<std::string, std::vector<tws_msgs::SectorMark>> marks;
+  std::vector<tws_msgs::SsrPlots> plots;
   std::vector<tws_msgs::Truth> truths;
   std::vector<std::string> order;  // topics
 
@@ -56,6 +57,14 @@ void hearAll(Heard& heard, const Listen& listen) {
       heard.marks[radar].push_back(message);
     });
   }
+  listen("/ssr/plots", [&heard](const tws_msgs::SsrPlots& message) {
+    heard.note("/ssr/plots", message);
+    heard.plots.push_back(message);
+  });
+  listen("/ssr/sector_marks", [&heard](const tws_msgs::SectorMark& message) {
+    heard.note("/ssr/sector_marks", message);
+    heard.marks["ssr"].push_back(message);
+  });
   listen("/truth", [&heard](const tws_msgs::Truth& message) {
     heard.note("/truth", message);
     heard.truths.push_back(message);
@@ -118,16 +127,17 @@ std::map<std::string, geometry_msgs::TransformStamped> RadarSimTest::transforms;
 
 // Offline results would say nothing about the live system.
 TEST_F(RadarSimTest, PublishesTheSameBytesLiveAndInOneProcess) {
-  EXPECT_EQ(offline.bytes.size(), 5u);
+  EXPECT_EQ(offline.bytes.size(), 7u);
   for (const auto& [topic, messages] : offline.bytes) EXPECT_TRUE(live.bytes[topic] == messages) << topic;
 }
 
 // Trackers count on a sector's detections being there when its mark comes.
 TEST_F(RadarSimTest, PublishesTheDetectionsOfASectorJustBeforeTheMarkThatClosesIt) {
   for (std::size_t i = 0; i < offline.order.size(); ++i) {
-    if (offline.order[i].find("/detections") == std::string::npos) continue;
+    if (offline.order[i].find("/detections") == std::string::npos && offline.order[i] != "/ssr/plots") continue;
     ASSERT_LT(i + 1, offline.order.size());
-    EXPECT_EQ(offline.order[i].substr(0, 6), offline.order[i + 1].substr(0, 6));
+    const std::size_t length = offline.order[i].find('/', 1);
+    EXPECT_EQ(offline.order[i].substr(0, length), offline.order[i + 1].substr(0, length));
     EXPECT_NE(offline.order[i + 1].find("/sector_marks"), std::string::npos);
   }
   for (const std::string radar : {"sps12", "sps39"}) {
@@ -177,10 +187,44 @@ TEST_F(RadarSimTest, PublishesTruthOnceASecondWithThePlotsNearIt) {
 
 TEST_F(RadarSimTest, PublishesTheFrameOfEachRadar) {
   ASSERT_EQ(transforms.count("sps12"), 1u);
+  ASSERT_EQ(transforms.count("ssr"), 1u);
+  EXPECT_NEAR(transforms["ssr"].transform.translation.z, 25.0, 1e-6);
   EXPECT_EQ(transforms["sps12"].header.frame_id, "map");
   EXPECT_NEAR(transforms["sps12"].transform.translation.z, 25.0, 1e-6);
   EXPECT_NEAR(transforms["sps39"].transform.translation.z, 35.0, 1e-6);
   EXPECT_NEAR(transforms["sps39"].transform.rotation.w, 1.0, 1e-9);
+}
+
+// Codes as octal digits, levels in hundreds of feet: 6000 m are 19 685 ft.
+TEST_F(RadarSimTest, PublishesThePlotsOfASecondaryRadarBeforeTheMarksOfItsMast) {
+  ASSERT_EQ(live.plots.size(), live.marks["ssr"].size());
+  ASSERT_EQ(live.marks["ssr"].size(), live.marks["sps12"].size());
+  std::size_t plots = 0;
+  for (std::size_t i = 0; i < live.plots.size(); ++i) {
+    const tws_msgs::SectorMark& mark = live.marks["ssr"][i];
+    EXPECT_EQ(mark.header.stamp, live.marks["sps12"][i].header.stamp);
+    EXPECT_EQ(mark.running_sector, live.marks["sps12"][i].running_sector);
+    EXPECT_EQ(live.plots[i].header.stamp, mark.header.stamp);
+    EXPECT_EQ(live.plots[i].header.frame_id, "ssr");
+    EXPECT_EQ(live.plots[i].radar, "ssr");
+    EXPECT_EQ(live.plots[i].sector, mark.closed_sector);
+    EXPECT_EQ(live.plots[i].running_sector + 1, mark.running_sector);
+    EXPECT_EQ(live.plots[i].plots.size(), mark.closed_count);
+    for (const tws_msgs::SsrPlot& plot : live.plots[i].plots) {
+      ++plots;
+      EXPECT_EQ(plot.mode_1, 031);
+      EXPECT_EQ(plot.mode_2, 017);
+      EXPECT_EQ(plot.mode_3a, 07421);
+      EXPECT_NEAR(plot.height, 19700 * 0.3048, 1e-6);
+      EXPECT_EQ(plot.garbled, 0);
+      EXPECT_EQ(plot.aircraft_address, 0u);
+      EXPECT_TRUE(std::isnan(plot.amplitude));
+    }
+  }
+  EXPECT_EQ(plots, 3u);
+  EXPECT_EQ(live.truths.front().targets[0].mode_3a, 07421);
+  EXPECT_EQ(live.truths.front().targets[1].mode_3a, 65535);
+  EXPECT_EQ(live.truths.front().radars.size(), 2u);
 }
 
 // A wrong parameter must stop the node with a line that names it, not start another scenario than asked for.
