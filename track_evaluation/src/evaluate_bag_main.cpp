@@ -1,5 +1,6 @@
 #include <track_evaluation/evaluation_node.h>
 #include <tws_runtime/bag_source.h>
+#include <tws_runtime/command_line.h>
 #include <tws_runtime/local_graph.h>
 #include <tws_runtime/parameters.h>
 #include <tws_runtime/run.h>
@@ -9,7 +10,6 @@
 #include <iostream>
 
 #include "bag_contents.h"
-#include "command_line.h"
 #include "package_path.h"
 
 namespace {
@@ -84,11 +84,11 @@ void addOptions(CLI::App& app, Options& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return guarded("evaluate_bag", [&] {
+  return tws_runtime::guarded("evaluate_bag", [&] {
     Options options;
     CLI::App app("Scores the trackers in a recorded run.", "evaluate_bag");
     addOptions(app, options);
-    if (const auto status = parse(app, argc, argv)) return *status;
+    if (const auto status = tws_runtime::parseCommandLine(app, argc, argv)) return *status;
     run(options);
     return 0;
   });

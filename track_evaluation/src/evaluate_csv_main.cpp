@@ -2,7 +2,6 @@
 #include <fstream>
 #include <iostream>
 
-#include "command_line.h"
 #include "evaluator.h"
 #include "identity_csv.h"
 #include "metrics_file.h"
@@ -10,6 +9,7 @@
 #include "series_file.h"
 #include "state_csv.h"
 
+#include <tws_runtime/command_line.h>
 #include <tws_runtime/parameters.h>
 
 namespace {
@@ -104,11 +104,11 @@ void addOptions(CLI::App& app, Options& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return guarded("evaluate_csv", [&] {
+  return tws_runtime::guarded("evaluate_csv", [&] {
     Options options;
     CLI::App app("Scores a file of tracks against a file of truth.", "evaluate_csv");
     addOptions(app, options);
-    if (const auto status = parse(app, argc, argv)) return *status;
+    if (const auto status = tws_runtime::parseCommandLine(app, argc, argv)) return *status;
     if (options.truth.empty() && options.plots.empty()) {
       std::cerr << "evaluate_csv: wants --truth or --plots (evaluate_csv --help says more)\n";
       return 2;

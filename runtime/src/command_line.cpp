@@ -1,10 +1,10 @@
-#include "command_line.h"
+#include <tws_runtime/command_line.h>
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <exception>
 
-namespace track_evaluation {
+namespace tws_runtime {
 
 int guarded(const std::string& program, const std::function<int()>& run) noexcept {
   try {
@@ -24,7 +24,7 @@ void addDuration(CLI::App& app, std::optional<double>& duration) {
   app.add_option("--duration", duration, "stop after so much data time [s]")->check(check);
 }
 
-std::optional<int> parse(CLI::App& app, int argc, char** argv) {
+std::optional<int> parseCommandLine(CLI::App& app, int argc, char** argv) {
   app.failure_message([](const CLI::App* failed, const CLI::Error& error) {
     return failed->get_name() + ": " + error.what() + " (" + failed->get_name() + " --help says more)\n";
   });
@@ -36,4 +36,4 @@ std::optional<int> parse(CLI::App& app, int argc, char** argv) {
   }
 }
 
-}  // namespace track_evaluation
+}  // namespace tws_runtime
