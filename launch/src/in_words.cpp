@@ -11,4 +11,10 @@ std::string oneDecimal(double value) {
   return text.str();
 }
 
+std::string joined(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : " ") + word;
+  return text;
+}
+
 }  // namespace tws_launch

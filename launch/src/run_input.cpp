@@ -5,6 +5,7 @@
 #include <rosbag/bag.h>
 #include <rosbag/view.h>
 #include <tws_msgs/Detections.h>
+#include <tws_msgs/SsrPlots.h>
 #include <tws_runtime/local_graph.h>
 
 #include <algorithm>
@@ -18,6 +19,13 @@ namespace {
 /// "sps12" of "/sps12/detections".
 std::string firstPart(const std::string& topic) { return topic.substr(1, topic.find('/', 1) - 1); }
 
+/// Of all topics in the view, in order.
+std::vector<std::string> firstParts(rosbag::View& view) {
+  std::set<std::string> names;
+  for (const rosbag::ConnectionInfo* connection : view.getConnections()) names.insert(firstPart(connection->topic));
+  return {names.begin(), names.end()};
+}
+
 /// By the simulator itself, so that what it would refuse is refused here, before anything is started.
 void readScenario(RunInput& input, std::optional<double> duration) {
   YAML::Node parameters;
@@ -29,15 +37,17 @@ void readScenario(RunInput& input, std::optional<double> duration) {
   input.radars = simulator.radars();
   // As of a bag, whose topics have no order: the trackers' numbering of radars must be the same for both.
   std::sort(input.radars.begin(), input.radars.end());
+  input.secondary_radars = simulator.secondaryRadars();
+  std::sort(input.secondary_radars.begin(), input.secondary_radars.end());
   input.length = simulator.duration();
 }
 
 void readBag(RunInput& input, std::optional<double> duration) try {
   const rosbag::Bag bag(input.path);
   rosbag::View view(bag, rosbag::TypeQuery(ros::message_traits::datatype<tws_msgs::Detections>()));
-  std::set<std::string> names;
-  for (const rosbag::ConnectionInfo* connection : view.getConnections()) names.insert(firstPart(connection->topic));
-  input.radars.assign(names.begin(), names.end());
+  input.radars = firstParts(view);
+  rosbag::View plots(bag, rosbag::TypeQuery(ros::message_traits::datatype<tws_msgs::SsrPlots>()));
+  input.secondary_radars = firstParts(plots);
   if (view.size() > 0) input.length = (view.getEndTime() - view.getBeginTime()).toSec();
   input.length = std::min(input.length, duration.value_or(input.length));
 } catch (const std::exception& error) {

@@ -12,7 +12,8 @@ struct RunInput {
   bool is_bag = false;
   bool is_recording = false;        ///< Of ASTERIX.
   std::vector<std::string> radars;  ///< Names of the rotating radars, by name; of a recording only the busiest one.
-  double length = 0.0;              ///< Data time from start to end [s].
+  std::vector<std::string> secondary_radars;  ///< Of a scenario or bag, by name.
+  double length = 0.0;                        ///< Data time from start to end [s].
 };
 
 /// Whether a path is taken for a recorded run: it ends in ".bag".

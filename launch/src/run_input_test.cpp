@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <rosbag/bag.h>
 #include <tws_msgs/Detections.h>
+#include <tws_msgs/SsrPlots.h>
 
 #include "temporary_folder_test_helpers.h"
 
@@ -27,6 +28,19 @@ TEST(RunInput, OfAScenarioHasItsRadarsByNameAndItsLength) {
   EXPECT_FALSE(input.is_bag);
   EXPECT_EQ(input.radars, (std::vector<std::string>{"alpha", "zeta"}));  // In one order, as from its bag.
   EXPECT_EQ(input.length, 42.0);
+}
+
+// If this fails, the secondary radar is neither recorded nor drawn.
+TEST(RunInput, NamesTheSecondaryRadarsOfAScenarioAndOfABag) {
+  const TemporaryFolder folder;
+  const std::string path = folder.write("ssr.yaml", "radars: [{name: a}]\nsecondary_radars: [{name: z}, {name: s}]\n");
+  EXPECT_EQ(inspectInput(path).secondary_radars, (std::vector<std::string>{"s", "z"}));
+  EXPECT_EQ(inspectInput(path).radars, (std::vector<std::string>{"a"}));
+  rosbag::Bag bag(folder.file("run.bag"), rosbag::bagmode::Write);
+  bag.write("/sps12/detections", ros::Time(100.0), tws_msgs::Detections());
+  bag.write("/ssr/plots", ros::Time(100.0), tws_msgs::SsrPlots());
+  bag.close();
+  EXPECT_EQ(inspectInput(folder.file("run.bag")).secondary_radars, (std::vector<std::string>{"ssr"}));
 }
 
 // If this fails, the progress shown knows no end.

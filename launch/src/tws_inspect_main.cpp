@@ -2,6 +2,7 @@
 #include <iostream>
 
 #include "command_line.h"
+#include "in_words.h"
 #include "run_input.h"
 
 int main(int argc, char** argv) {
@@ -18,8 +19,10 @@ int main(int argc, char** argv) {
     tws_launch::addDuration(app, duration);
     if (const auto status = tws_launch::parse(app, argc, argv)) return *status;
     const tws_launch::RunInput input = tws_launch::inspectInput(path, duration);
-    std::cout << "radars:=";
-    for (std::size_t i = 0; i < input.radars.size(); ++i) std::cout << (i > 0 ? " " : "") << input.radars[i];
+    std::cout << "radars:=" << tws_launch::joined(input.radars);
+    // Not a word of them where there are none: the launch file for recordings does not know the argument.
+    if (!input.secondary_radars.empty())
+      std::cout << "\nsecondary_radars:=" << tws_launch::joined(input.secondary_radars);
     std::cout << "\nlength:=" << input.length << std::endl;
     return 0;
   });

@@ -8,6 +8,7 @@
 #include <iostream>
 
 #include "command_line.h"
+#include "in_words.h"
 #include "offline_graph.h"
 #include "run_input.h"
 
@@ -39,11 +40,11 @@ std::pair<std::string, std::string> launchFileOf(const tws_launch::RunInput& inp
 
 /// The graph that roslaunch would start for this input.
 std::vector<tws_launch::NodeDescription> describe(const Options& options, const tws_launch::RunInput& input) {
-  std::string radars;
-  for (const std::string& radar : input.radars) radars += (radars.empty() ? "" : " ") + radar;
   const auto [launch_file, argument] = launchFileOf(input);
-  std::vector<std::string> arguments{"radars:=" + radars, "params:=" + options.params, "rviz:=false",
-                                     "length:=" + std::to_string(input.length), argument + ":=" + input.path};
+  std::vector<std::string> arguments{"radars:=" + tws_launch::joined(input.radars), "params:=" + options.params,
+                                     "rviz:=false", "length:=" + std::to_string(input.length),
+                                     argument + ":=" + input.path};
+  if (!input.is_recording) arguments.push_back("secondary_radars:=" + tws_launch::joined(input.secondary_radars));
   if (options.seed) arguments.push_back("seed:=" + std::to_string(*options.seed));
   return tws_launch::describeGraph(launch_file, arguments);
 }

@@ -96,6 +96,10 @@ class WholeGraphTest(unittest.TestCase):
             messages = [message for _, message, _ in bag.read_messages(["/adit/tracks"])]
             for radar, period in (("sps12", 6.0), ("sps39", 8.0)):
                 self.assertAlmostEqual(bag.get_message_count(f"/{radar}/detections"), 64 * DURATION / period, delta=1)
+            plots = [message for _, message, _ in bag.read_messages(["/ssr/plots"])]
+            self.assertAlmostEqual(len(plots), 64 * DURATION / 6.0, delta=1)
+            self.assertEqual(bag.get_message_count("/ssr/sector_marks"), len(plots))
+            self.assertTrue(any(plot.mode_3a != plot.CODE_UNKNOWN for message in plots for plot in message.plots))
         self.assertEqual([m.sequence for m in messages], list(range(len(messages))))
         self.assertTrue(any(track.state == track.FIRM for m in messages for track in m.tracks))
 
