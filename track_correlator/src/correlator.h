@@ -1,0 +1,131 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <map>
+#include <optional>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "association.h"
+#include "fusion_table.h"
+
+namespace track_correlator {
+
+struct CorrelatorParams {
+  int delay_sectors = 2;         ///< Sectors behind the clock's beam (Δ₂), 2 .. 32.
+  double gate = 18.5;            ///< Greatest squared distance, normalised, 4 degrees of freedom: 99.9 %.
+  double position_bias = 100.0;  ///< Standard deviation of what the radars disagree about [m], >= 0,
+  double velocity_bias = 10.0;   ///< and of the velocities' [m/s], >= 0.
+  FusionParams fusion;
+  double release_distance = 3000.0;  ///< A correlated pair further apart [m] than this; 0: no limit, as in the paper,
+  int release_scans = 3;             ///< for so many scans in a row is no pair any more, >= 1.
+  double track_timeout = 30.0;       ///< A track that nobody has spoken of for so long is lost [s], > 0.
+};
+
+/// What one tracker says of a track.
+struct TrackInput {
+  std::uint32_t uid = 0;                            ///< Never used twice in one run of that tracker.
+  double time = 0.0;                                ///< Position and velocity hold at this instant [s].
+  Eigen::Vector4d state = Eigen::Vector4d::Zero();  ///< x, y [m], vx, vy [m/s]; the plane of slant range and azimuth.
+  Eigen::Matrix4d covariance = Eigen::Matrix4d::Identity();
+  bool dropped = false;  ///< The track's last word.
+};
+
+constexpr std::uint32_t kNoTrack = std::numeric_limits<std::uint32_t>::max();
+
+/// One aircraft of the correlated picture.
+struct CorrelatedWord {
+  std::uint32_t identity = 0;  ///< From 1; stays while the aircraft is seen by either radar.
+  std::uint32_t primary = kNoTrack, secondary = kNoTrack;  ///< Uids.
+  bool correlated = false;                                 ///< Else it is one of the two alone.
+  bool coasting = false;                                   ///< Correlated, but one of the two is lost at present.
+  bool ended = false;                                      ///< The last word of this identity.
+  std::int64_t scan_count = 0;                             ///< n_sc
+  int fusion_count = 0;                                    ///< n_fc
+};
+
+/// All that is said of one sector.
+struct CorrelatorReport {
+  std::int64_t running = 0;  ///< Of the clock,
+  double time = 0.0;         ///< and when its beam entered it [s]: the instant of the correlation.
+  std::vector<CorrelatedWord> words;
+};
+
+struct CorrelatorCounts {
+  std::uint64_t silent_tracks = 0;  ///< Lost without a last word.
+  std::uint64_t initiated = 0, taken_over = 0, released = 0, cleared = 0;
+  std::uint64_t clusters = 0;  ///< Solved by the optimal assignment.
+  std::uint64_t lost_marks = 0, stray_marks = 0;
+};
+
+/// The correlator of Kumar, Paul and Ramakrishnan, section II: at each sector of the clocking radar the primary tracks
+/// of that sector against the secondary tracks of it and its neighbours. Inputs must come in order of time.
+class Correlator {
+ public:
+  using OnReport = std::function<void(const CorrelatorReport&)>;
+
+  /// Throws std::invalid_argument that names the parameter when one is out of range.
+  Correlator(const CorrelatorParams& params, OnReport on_report);
+
+  void addPrimary(const TrackInput& track);
+  void addSecondary(const TrackInput& track);
+  /// The beam of the clocking radar enters a sector: the one Δ₂ behind it is processed. Missing marks are filled in.
+  void addMark(std::int64_t running, double time);
+
+  /// Whether a later report may still name this track: it lives, a row remembers it, or its last word is due.
+  bool holds(bool primary, std::uint32_t uid) const;
+  const CorrelatorCounts& counts() const { return counts_; }
+
+ private:
+  struct Known {
+    TrackInput input;
+    std::uint32_t identity = 0;                                         // 0: not yet
+    std::int64_t done = std::numeric_limits<std::int64_t>::min() / 2;   // processed last
+    std::int64_t taken = std::numeric_limits<std::int64_t>::min() / 2;  // a secondary: served a primary last
+    Eigen::Vector4d now;                                                // the state at the instant of the correlation
+    int behind = 0;                                                     // sectors behind the one processed
+  };
+  using Tracks = std::map<std::uint32_t, Known>;
+  struct Mark {
+    std::int64_t running;
+    double time;
+  };
+
+  void enter(const Mark& mark);
+  void process(const Mark& mark);
+  void bringTo(const Mark& mark, Tracks& tracks);
+  void loseSilentTracks(double time);
+  void losePrimary(std::uint32_t uid);
+  void loseSecondary(std::uint32_t uid);
+  bool isDue(const Known& track, std::int64_t running) const;
+
+  void clearExpired(const Tracks& tracks, bool primaries, std::int64_t running);
+  void correlateByHistory(std::int64_t running);
+  void correlateByDistance(std::int64_t running);
+  void commit(std::uint32_t primary, std::uint32_t secondary, std::int64_t running);
+  void settleIdentity(std::uint32_t primary, std::uint32_t secondary, bool primarys);
+  void dissolve(const FusionRow* row);
+  void forgetHistory(std::int64_t running);
+  bool isFree(const FusionRow* row) const;
+  double distance(const Known& primary, const Known& secondary) const;
+  void report(const Mark& mark);
+  void end(std::uint32_t identity, std::uint32_t primary, std::uint32_t secondary);
+  std::uint32_t identityOf(Known& track);
+  CorrelatedWord wordOf(const FusionRow& row, std::uint32_t identity) const;
+
+  CorrelatorParams params_;
+  OnReport on_report_;
+  Tracks primaries_, secondaries_;  // by uid
+  FusionTable table_;
+  Association association_;
+  std::vector<Mark> marks_;  // those that are not processed yet
+  std::optional<std::int64_t> stray_;
+  std::vector<CorrelatedWord> ended_;
+  std::uint32_t last_identity_ = 0;
+  CorrelatorCounts counts_;
+};
+
+}  // namespace track_correlator

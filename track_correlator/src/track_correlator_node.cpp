@@ -1,0 +1,226 @@
+#include <track_correlator/track_correlator_node.h>
+
+#include <tws_core/sectors.h>
+#include <tws_core/time_order.h>
+#include <tws_msgs/CorrelatedTracks.h>
+#include <tws_msgs/SectorMark.h>
+#include <tws_msgs/Tracks.h>
+#include <tws_runtime/conversions.h>
+
+#include <array>
+#include <optional>
+#include <set>
+#include <unordered_map>
+#include <variant>
+
+#include "correlator_messages.h"
+#include "correlator_params_reader.h"
+#include "run_guard.h"
+
+namespace track_correlator {
+namespace {
+
+using tws_runtime::Bus;
+
+struct NodeParams {
+  CorrelatorParams correlator;
+  std::string clock_radar = "sps12";
+  std::array<std::string, 2> tracks = {"/adit/tracks", "/ssr/tracks"};  // topics: primary, secondary
+  double skew_limit = 3.0;                                              // [s]
+  double restart_limit = 5.0;                                           // [s]
+  double position_sigma = 200.0, velocity_sigma = 30.0;                 // of tracks without a covariance [m], [m/s]
+};
+
+NodeParams readNodeParams(Bus& bus) {
+  tws_runtime::ParameterReader reader(bus.parameters(), bus.name());
+  NodeParams params;
+  params.correlator = readCorrelatorParams(reader);
+  reader.text("clock_radar", params.clock_radar);
+  reader.text("primary", params.tracks[0]);
+  reader.text("secondary", params.tracks[1]);
+  reader.number("skew_limit_s", params.skew_limit, 0.1, 60.0);
+  reader.number("restart_limit_s", params.restart_limit, 0.5, 3600.0);
+  reader.number("position_sigma_m", params.position_sigma, 0.1, 1e5);
+  reader.number("velocity_sigma_mps", params.velocity_sigma, 0.1, 1e4);
+  reader.done();
+  for (const char* key : {"clock_radar", "primary", "secondary"})
+    if ((key[0] == 'c' ? params.clock_radar : params.tracks[key[0] == 's']).empty()) reader.fail(key, "is empty");
+  if (params.tracks[0] == params.tracks[1]) reader.fail("secondary", "must be another topic than primary");
+  return params;
+}
+
+// The clocked inputs. Of equal times tracks come before marks.
+constexpr std::size_t kPrimary = 0, kSecondary = 1, kMarks = 2;
+
+}  // namespace
+
+class TrackCorrelatorNode::Impl {
+ public:
+  explicit Impl(Bus& bus)
+      : bus_(bus),
+        params_(readNodeParams(bus)),
+        guard_(3, params_.restart_limit),
+        order_(3, params_.skew_limit),
+        out_(bus.advertise<tws_msgs::CorrelatedTracks>("/correlated/tracks")) {
+    begin();
+    for (const std::size_t stream : {kPrimary, kSecondary})
+      bus.subscribe<tws_msgs::Tracks>(params_.tracks[stream],
+                                      [this, stream](const tws_msgs::Tracks& message) { hear(stream, message); });
+    bus.subscribe<tws_msgs::SectorMark>("/" + params_.clock_radar + "/sector_marks",
+                                        [this](const tws_msgs::SectorMark& mark) { hear(mark); });
+  }
+
+ private:
+  using Input = std::variant<tws_msgs::Tracks, tws_msgs::SectorMark>;
+
+  void begin() {
+    order_.reset();
+    stream_time_ = {};
+    for (auto& tracks : latest_) tracks.clear();
+    totals_ = CorrelatorCounts{};
+    correlator_.emplace(params_.correlator, [this](const CorrelatorReport& report) { publish(report); });
+  }
+
+  void hear(std::size_t stream, const tws_msgs::Tracks& message) {
+    frame_ = stream == kPrimary || frame_.empty() ? message.header.frame_id : frame_;
+    checkSequence(stream, message);
+    queue(stream, params_.tracks[stream], message.header.stamp, message);
+  }
+
+  void hear(const tws_msgs::SectorMark& mark) {
+    const std::string topic = "/" + params_.clock_radar + "/sector_marks";
+    if (mark.radar != params_.clock_radar || mark.sector != mark.running_sector % tws::kSectors)
+      bus_.counter("bad messages")
+          .add("radar '" + mark.radar + "', sector " + std::to_string(mark.sector) + " in " + topic);
+    else
+      queue(kMarks, topic, mark.header.stamp, mark);
+  }
+
+  void checkSequence(std::size_t stream, const tws_msgs::Tracks& message) {
+    std::optional<std::uint32_t>& last = sequence_[stream];
+    if (last && message.sequence > *last + 1)
+      bus_.counter("lost messages")
+          .add("sequence jumps to " + std::to_string(message.sequence) + " in " + params_.tracks[stream]);
+    last = message.sequence;
+  }
+
+  /// All inputs go on in order of time, whatever the order in which they arrive.
+  void queue(std::size_t stream, const std::string& topic, ros::Time stamp, Input input) {
+    const double time = tws_runtime::toSeconds(stamp);
+    const std::string where = " in " + topic + " at " + std::to_string(time) + " s";
+    const RunGuard::Verdict verdict = guard_.judge(stream, time);
+    if (verdict == RunGuard::Verdict::kMad || verdict == RunGuard::Verdict::kOldRun) {
+      bus_.counter("stray messages").add("the stamp is out of line" + where);
+      return;
+    }
+    if (verdict == RunGuard::Verdict::kNewRun) {
+      bus_.counter("new runs").add("time has gone back" + where);
+      begin();
+    }
+    // A tracker of several radars may step back a little from message to message.
+    double& stream_time = stream_time_[stream];
+    stream_time = std::max(stream_time, time);
+    using Order = tws::TimeOrder<Input>;
+    if (order_.push(stream, stream_time, std::move(input)) == Order::Result::kLate) {
+      bus_.counter("late messages").add("more than skew_limit_s behind the others" + where);
+      // NOLINTNEXTLINE(bugprone-use-after-move)
+      apply(stream, input);  // A late word of a track is better than none. TimeOrder has left it as it was.
+    }
+    while (auto next = order_.pop()) apply(next->stream, next->value);
+    countTroubles();
+  }
+
+  void apply(std::size_t stream, const Input& input) {
+    if (stream == kMarks) {
+      const auto& mark = std::get<tws_msgs::SectorMark>(input);
+      correlator_->addMark(mark.running_sector, tws_runtime::toSeconds(mark.header.stamp));
+      return;
+    }
+    std::set<std::uint32_t> said;
+    for (const tws_msgs::Track& track : std::get<tws_msgs::Tracks>(input).tracks) {
+      if (!said.insert(track.uid).second)
+        bus_.counter("duplicate tracks")
+            .add("uid " + std::to_string(track.uid) + " twice in one message of " + params_.tracks[stream]);
+      else
+        take(stream, track);
+    }
+  }
+
+  void take(std::size_t stream, const tws_msgs::Track& track) {
+    const std::string fault = faultOf(track);
+    if (!fault.empty()) {
+      bus_.counter("bad tracks").add(fault + " in " + params_.tracks[stream] + ", uid " + std::to_string(track.uid));
+      return;
+    }
+    auto& latest = latest_[stream];
+    // What a tracker does not believe yet is no aircraft; one that it only doubts for a while still is.
+    if (track.state == tws_msgs::Track::TENTATIVE && latest.count(track.uid) == 0) return;
+    if (track.state == tws_msgs::Track::DROPPED && latest.count(track.uid) == 0) return;
+    latest[track.uid] = track;
+    const TrackInput input = toInput(track, params_.position_sigma, params_.velocity_sigma);
+    stream == kPrimary ? correlator_->addPrimary(input) : correlator_->addSecondary(input);
+  }
+
+  const tws_msgs::Track* find(std::size_t stream, std::uint32_t uid) const {
+    const auto found = latest_[stream].find(uid);
+    return found == latest_[stream].end() ? nullptr : &found->second;
+  }
+
+  void publish(const CorrelatorReport& report) {
+    tws_msgs::CorrelatedTracks message;
+    message.header.stamp = tws_runtime::toTime(report.time);
+    message.header.frame_id = frame_;
+    message.radar = params_.clock_radar;
+    message.running_sector = static_cast<std::uint32_t>(report.running);
+    message.sector = static_cast<std::uint8_t>(report.running % tws::kSectors);
+    for (const CorrelatedWord& word : report.words)
+      message.tracks.push_back(
+          toMessage(word, find(kPrimary, word.primary), find(kSecondary, word.secondary), report.time));
+    out_.publish(message);
+    if (message.sector == 0) forget();
+  }
+
+  /// Once a turn: what no row and no track holds is needed no more.
+  void forget() {
+    std::array<std::unordered_map<std::uint32_t, tws_msgs::Track>, 2> kept;
+    for (const std::size_t stream : {kPrimary, kSecondary})
+      for (auto& [uid, track] : latest_[stream])
+        if (correlator_->holds(stream == kPrimary, uid)) kept[stream].emplace(uid, std::move(track));
+    latest_ = std::move(kept);
+  }
+
+  void countTroubles() {
+    const CorrelatorCounts& now = correlator_->counts();
+    const auto news = [&](std::uint64_t CorrelatorCounts::*member) { return now.*member - totals_.*member; };
+    bus_.counter("initiated pairs").add(news(&CorrelatorCounts::initiated));
+    bus_.counter("partners taken over").add(news(&CorrelatorCounts::taken_over));
+    bus_.counter("released pairs").add(news(&CorrelatorCounts::released));
+    bus_.counter("cleared rows").add(news(&CorrelatorCounts::cleared));
+    bus_.counter("clusters").add(news(&CorrelatorCounts::clusters));
+    const auto bad = [&](const char* name, std::uint64_t CorrelatorCounts::*member, const char* reason) {
+      for (auto n = news(member); n > 0; --n) bus_.counter(name).add(reason);
+    };
+    bad("silent tracks", &CorrelatorCounts::silent_tracks,
+        "its tracker speaks of it no more, and has said no last word");
+    bad("lost sector marks", &CorrelatorCounts::lost_marks, "a running number of the clock radar is missing");
+    bad("stray sector marks", &CorrelatorCounts::stray_marks, "a running number of the clock radar is out of line");
+    totals_ = now;
+  }
+
+  Bus& bus_;
+  NodeParams params_;
+  RunGuard guard_;
+  tws::TimeOrder<Input> order_;
+  tws_runtime::Publisher<tws_msgs::CorrelatedTracks> out_;
+  std::array<double, 3> stream_time_ = {};
+  std::array<std::unordered_map<std::uint32_t, tws_msgs::Track>, 2> latest_;  // words by uid: primary, secondary
+  std::array<std::optional<std::uint32_t>, 2> sequence_;
+  std::string frame_;
+  CorrelatorCounts totals_;
+  std::optional<Correlator> correlator_;
+};
+
+TrackCorrelatorNode::TrackCorrelatorNode(Bus& bus) : impl_(std::make_unique<Impl>(bus)) {}
+TrackCorrelatorNode::~TrackCorrelatorNode() = default;
+
+}  // namespace track_correlator
