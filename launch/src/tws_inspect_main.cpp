@@ -1,12 +1,13 @@
+#include <tws_runtime/command_line.h>
+
 #include <CLI/CLI.hpp>
 #include <iostream>
 
-#include "command_line.h"
 #include "in_words.h"
 #include "run_input.h"
 
 int main(int argc, char** argv) {
-  return tws_launch::guarded("tws_inspect", [&] {
+  return tws_runtime::guarded("tws_inspect", [&] {
     CLI::App app(
         "Says what the launch files want to know of a scenario, bag or ASTERIX recording, as arguments for them, one a "
         "line.",
@@ -16,8 +17,8 @@ int main(int argc, char** argv) {
         ->required()
         ->check(CLI::ExistingFile);
     std::optional<double> duration;
-    tws_launch::addDuration(app, duration);
-    if (const auto status = tws_launch::parse(app, argc, argv)) return *status;
+    tws_runtime::addDuration(app, duration);
+    if (const auto status = tws_runtime::parseCommandLine(app, argc, argv)) return *status;
     const tws_launch::RunInput input = tws_launch::inspectInput(path, duration);
     std::cout << "radars:=" << tws_launch::joined(input.radars);
     // Not a word of them where there are none: the launch file for recordings does not know the argument.

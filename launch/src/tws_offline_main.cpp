@@ -1,4 +1,5 @@
 #include <tws_runtime/bag_source.h>
+#include <tws_runtime/command_line.h>
 #include <tws_runtime/run.h>
 
 #include <CLI/CLI.hpp>
@@ -7,7 +8,6 @@
 #include <filesystem>
 #include <iostream>
 
-#include "command_line.h"
 #include "in_words.h"
 #include "offline_graph.h"
 #include "run_input.h"
@@ -75,7 +75,7 @@ void run(const Options& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return tws_launch::guarded("tws_offline", [&] {
+  return tws_runtime::guarded("tws_offline", [&] {
     Options options;
     CLI::App app("Runs the whole graph in one process, without a ROS master, as fast as it goes.", "tws_offline");
     app.add_option("input", options.input, "scenario (*.yaml), recorded run (*.bag) or ASTERIX recording")
@@ -85,8 +85,8 @@ int main(int argc, char** argv) {
     app.add_option("--params", options.params,
                    "parameter set of the ADIT tracker: default, nrl7952 or the path of a file");
     app.add_option("--seed", options.seed, "of the random numbers, in place of the scenario's")->check(seedProblem);
-    tws_launch::addDuration(app, options.duration);
-    if (const auto status = tws_launch::parse(app, argc, argv)) return *status;
+    tws_runtime::addDuration(app, options.duration);
+    if (const auto status = tws_runtime::parseCommandLine(app, argc, argv)) return *status;
     if (options.seed && (tws_launch::isBag(options.input) || tws_launch::isRecording(options.input))) {
       std::cerr << "tws_offline: --seed is for scenarios; "
                 << (tws_launch::isBag(options.input) ? "a bag" : "a recording") << " has no random numbers\n";
