@@ -138,7 +138,8 @@ class TrackCorrelatorNode::Impl {
     }
     std::set<std::uint32_t> said;
     for (const tws_msgs::Track& track : std::get<tws_msgs::Tracks>(input).tracks) {
-      if (!said.insert(track.uid).second)
+      // A tracker may update a track and drop it in the same sector.
+      if (!said.insert(track.uid).second && track.state != tws_msgs::Track::DROPPED)
         bus_.counter("duplicate tracks")
             .add("uid " + std::to_string(track.uid) + " twice in one message of " + params_.tracks[stream]);
       else
