@@ -14,32 +14,44 @@ namespace {
 
 constexpr double kLeastRange = 1.0;  // noise may carry a very near plot below zero, a report never [m]
 
-/// Where, when and with which replies a group is reported; nothing when these are too few.
-std::optional<SecondaryPlot> plotOf(const ReplyGroup& group, const SecondaryParams& params,
-                                    const std::function<Mode(std::int64_t)>& modeOf) {
+using ModeOf = std::function<Mode(std::int64_t interrogation)>;
+using Replies = std::array<std::vector<DecodedReply>, kModes>;
+
+/// All replies of a group, by mode.
+Replies repliesOf(const ReplyGroup& group, const ModeOf& mode_of) {
   std::int64_t first = group.members.front()->first_interrogation, end = first;
   for (const Illumination* member : group.members) {
     first = std::min(first, member->first_interrogation);
     end = std::max(end, member->endOfInterrogations());
   }
-  std::array<std::vector<DecodedReply>, kModes> replies;
-  long count = 0;
+  Replies replies;
   for (std::int64_t interrogation = first; interrogation < end; ++interrogation) {
-    const Mode mode = modeOf(interrogation);
-    const auto reply = decodeReply(group, interrogation, mode);
-    if (!reply) continue;
-    replies[index(mode)].push_back(*reply);
-    ++count;
+    const Mode mode = mode_of(interrogation);
+    if (const auto reply = decodeReply(group, interrogation, mode)) replies[index(mode)].push_back(*reply);
   }
-  if (count < params.needed_replies) return std::nullopt;
+  return replies;
+}
+
+/// In the middle between those that look like one, with the first one's errors and no codes yet.
+SecondaryPlot placeOf(const ReplyGroup& group) {
   const Illumination& own = *group.members.front();
   SecondaryPlot plot{own.time, own.range + own.range_error, own.azimuth + own.azimuth_error, {}};
   const double share = 1.0 / static_cast<double>(group.members.size());
-  for (const Illumination* member : group.members) {  // in the middle between those that look like one
+  for (const Illumination* member : group.members) {
     plot.time += share * (member->time - own.time);
     plot.range += share * (member->range - own.range);
     plot.azimuth += share * tws::angularDifference(member->azimuth, own.azimuth);
   }
+  return plot;
+}
+
+/// Nothing when the replies are too few.
+std::optional<SecondaryPlot> plotOf(const ReplyGroup& group, const SecondaryParams& params, const ModeOf& mode_of) {
+  const Replies replies = repliesOf(group, mode_of);
+  std::size_t count = 0;
+  for (const auto& of_mode : replies) count += of_mode.size();
+  if (static_cast<long>(count) < params.needed_replies) return std::nullopt;
+  SecondaryPlot plot = placeOf(group);
   for (std::size_t mode = 0; mode < kModes; ++mode)
     plot.readings[mode] = readCode(replies[mode], params.needed_code_replies);
   return plot;

@@ -48,6 +48,7 @@ class SecondaryRun {
 
   std::vector<SecondarySector> sectors(int turns) {
     std::vector<SecondarySector> sectors;
+    sectors.reserve(static_cast<std::size_t>(turns) * tws::kSectors);
     for (int i = 0; i < turns * tws::kSectors; ++i) sectors.push_back(radar_.closeSector());
     return sectors;
   }
@@ -248,13 +249,20 @@ TEST(SecondaryRadar, HearsNobodyWithoutATransponderOrWhileItIsSilentOrOutOfReach
   without.transponder.altitude = false;
   Target silent = aircraft("silent", 50e3, 77.1, 01234);
   silent.transponder.silences = {{kStart + 6.0, kStart + 12.0}};
-  const Target far = aircraft("far", 380e3, 140.0, 01234);
-  const Target low = aircraft("low", 365e3, 200.0, 01234);  // horizon: 130 km of the radar and 228 km of the aircraft
-  SecondaryRun run(perfectRadar(), {without, silent, far, low});
+  SecondaryParams params = perfectRadar();
+  params.max_range = 300e3;
+  const Target far = aircraft("far", 301e3, 140.0, 01234);
+  SecondaryRun run(params, {without, silent, far});
   const auto plots = run.plots(3);
   ASSERT_EQ(plots.size(), 2u);
   EXPECT_LT(plots[0].time, kStart + 6.0);
   EXPECT_GT(plots[1].time, kStart + 12.0);
+}
+
+// 4/3 earth: sqrt(2 · 8495 km · 1000 m) = 130.3 km for the radar, 227.6 km for the aircraft at 3048 m.
+TEST(SecondaryRadar, HearsNobodyBeyondTheHorizon) {
+  EXPECT_EQ(SecondaryRun(perfectRadar(), {aircraft("above", 356e3, 77.1, 01234)}).plots(1).size(), 1u);
+  EXPECT_EQ(SecondaryRun(perfectRadar(), {aircraft("below", 360e3, 77.1, 01234)}).plots(1).size(), 0u);
 }
 
 // Too many or too few, or all of them near: false tracks would be others than in reality. FRUIT comes at any time after

@@ -22,6 +22,7 @@ void readOwnMast(ParameterReader& reader, SecondaryParams& radar) {
 /// Rotation, clock and place are those of the radar on whose mast it turns.
 void readSharedMast(ParameterReader& reader, const std::vector<RadarParams>& radars, SecondaryParams& radar) {
   std::vector<std::string> names;
+  names.reserve(radars.size());
   for (const RadarParams& primary : radars) names.push_back(primary.name);
   reader.choice("on_mast_of", radar.mast, names);
   for (const char* key : {"site", "rotation_period_s", "start_azimuth_deg", "time_lsb_s"})
