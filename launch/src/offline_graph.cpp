@@ -3,6 +3,8 @@
 #include <adit_tracker/adit_node.h>
 #include <asterix_bridge/asterix_node.h>
 #include <radar_sim/radar_sim_node.h>
+#include <track_correlator/ssr_tracker_node.h>
+#include <track_correlator/track_correlator_node.h>
 #include <track_evaluation/evaluation_node.h>
 
 #include <algorithm>
@@ -30,6 +32,10 @@ void OfflineGraph::add(const NodeDescription& node) {
     sources_.push_back(std::make_unique<asterix_bridge::AsterixFileNode>(bus));
   else if (program == "adit_tracker/adit_node")
     nodes_.push_back(std::make_shared<adit_tracker::AditNode>(bus));
+  else if (program == "track_correlator/ssr_tracker_node")
+    nodes_.push_back(std::make_shared<track_correlator::SsrTrackerNode>(bus));
+  else if (program == "track_correlator/track_correlator_node")
+    nodes_.push_back(std::make_shared<track_correlator::TrackCorrelatorNode>(bus));
   else if (program == "track_evaluation/evaluation_node")
     nodes_.push_back(std::make_shared<track_evaluation::EvaluationNode>(bus));
   else if (program == "tws_launch/progress_node")
