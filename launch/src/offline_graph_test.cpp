@@ -31,6 +31,17 @@ TEST(OfflineGraph, MakesTheTrackerUnderItsName) {
   EXPECT_TRUE(offline.graph().isPublished("/n/tracks"));
 }
 
+TEST(OfflineGraph, MakesTheSecondaryTrackerAndTheCorrelator) {
+  const auto nodes = parseGraph(
+      "- {package: track_correlator, type: ssr_tracker_node, name: s, remaps: {}, parameters: {radar: ssr}}\n"
+      "- {package: track_correlator, type: track_correlator_node, name: c, remaps: {}, parameters: {clock_radar: "
+      "ssr}}");
+  std::ostringstream log;
+  OfflineGraph offline(nodes, log);
+  EXPECT_TRUE(offline.graph().isPublished("/ssr/tracks"));
+  EXPECT_TRUE(offline.graph().isPublished("/correlated/tracks"));
+}
+
 TEST(OfflineGraph, LeavesOutWhatOnlyALiveGraphHas) {
   std::ostringstream log;
   for (const char* program : {"rosbag/record", "rosbag/play", "rviz/rviz", "tws_rviz/ppi_node"})
