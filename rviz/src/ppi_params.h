@@ -16,7 +16,7 @@ struct RadarParams {
   std::string detections;    // topic; default /NAME/detections
   std::string sector_marks;  // topic; default /NAME/sector_marks
   Rgba color;                // default: from a palette, by place in the list
-  std::string plots = "";    // topic of SsrPlots; default /NAME/plots
+  std::string plots;         // topic of SsrPlots; default /NAME/plots
 };
 
 struct TrackerParams {
