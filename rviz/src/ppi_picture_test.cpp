@@ -12,7 +12,7 @@ namespace {
 
 PpiParams params() {
   PpiParams params;
-  params.radars = {{"sps12", "", "", {0.0f, 1.0f, 0.0f, 1.0f}}, {"sps39", "", "", {0.0f, 0.0f, 1.0f, 1.0f}}};
+  params.radars = {{"sps12", "", "", {0.0f, 1.0f, 0.0f, 1.0f}, ""}, {"sps39", "", "", {0.0f, 0.0f, 1.0f, 1.0f}, ""}};
   params.trackers = {{"adit", "", ""}, {"ssr", "", "S"}};
   return params;
 }
