@@ -61,6 +61,11 @@ Geodetic geodeticFromEcef(const Eigen::Vector3d& ecef) {
   return {latitude, wrapPi(std::atan2(ecef.y(), ecef.x())), altitude};
 }
 
+double altitudeOverSphere(const Eigen::Vector3d& enu) {
+  constexpr double kRadius = 6371e3;  // mean
+  return (enu + Eigen::Vector3d(0.0, 0.0, kRadius)).norm() - kRadius;
+}
+
 LocalFrame::LocalFrame(const Geodetic& origin) : origin_(origin) {
   check(origin);
   origin_ecef_ = ecefFromGeodetic(origin);

@@ -16,6 +16,10 @@ Eigen::Vector3d ecefFromGeodetic(const Geodetic& geodetic);
 /// Longitude in (-π, π]. Good to better than a micrometre from 100 km below the ellipsoid to 1000 km above it.
 Geodetic geodeticFromEcef(const Eigen::Vector3d& ecef);
 
+/// Altitude [m] of a point given as east, north, up [m] about an origin at altitude 0 whose place is not known: over a
+/// sphere, right to 0.6 % of what the plane sinks away (20 m at 200 km). With the place known, LocalFrame is exact.
+double altitudeOverSphere(const Eigen::Vector3d& enu);
+
 /// East, north, up [m] about an origin: the plane touches the ellipsoid there, so a distant point at constant altitude
 /// sinks. No projection: distances are straight lines in space.
 class LocalFrame {

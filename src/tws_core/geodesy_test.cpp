@@ -28,6 +28,19 @@ TEST(Geodesy, ReproducesTheGeocentricExampleOfTheEpsgGuidanceNote) {
   EXPECT_NEAR(ecef.z(), 5124304.349, 1e-3);
 }
 
+// If this fails, an aircraft that is far away is given a height that is wrong by kilometres.
+TEST(Geodesy, KnowsTheAltitudeFarFromAnOriginOfUnknownPlace) {
+  auto generator = seededGenerator();
+  for (int i = 0; i < 200; ++i) {
+    const Geodetic origin{uniform(generator, -1.4, 1.4), 0.3, 0.0};
+    const LocalFrame frame(origin);
+    const double distance = uniform(generator, 0.0, 200e3), azimuth = uniform(generator, 0.0, kTwoPi);
+    const Eigen::Vector3d enu(distance * std::sin(azimuth), distance * std::cos(azimuth), 5000.0);
+    const double altitude = frame.toGeodetic(enu).altitude;
+    EXPECT_NEAR(altitudeOverSphere(enu), altitude, 0.1 + 0.006 * (altitude - 5000.0));
+  }
+}
+
 TEST(LocalFrame, ReproducesTheTopocentricExampleOfTheEpsgGuidanceNote) {
   const LocalFrame frame({radians(55.0), radians(5.0), 200.0});
   const Eigen::Vector3d enu = frame.toEnu(kExample);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <tws_core/geodesy.h>
+
 namespace track_evaluation {
 namespace {
 
@@ -24,7 +26,7 @@ TruthState stateOf(const tws_msgs::TruthTarget& target, const Eigen::Vector3d& s
   truth.ground = {position.head<2>(), velocity.head<2>()};
   truth.slant = onSlantPlane(position, velocity, site);
   truth.mode_3a = target.mode_3a;
-  truth.height = position.z();
+  truth.height = tws::altitudeOverSphere(position);
   return truth;
 }
 
