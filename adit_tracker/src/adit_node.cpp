@@ -102,11 +102,7 @@ class AditNode::Impl {
     // Before its first message a radar's frame is taken to have its name.
     const std::string& heard = inputs_.frame(radar);
     const std::string& frame = heard.empty() ? params_.adit.radars[radar].name : heard;
-    if (!bus_.transforms().canTransform(params_.frame, frame, ros::Time(0), &why)) return std::nullopt;
-    const auto transform = bus_.transforms().lookupTransform(params_.frame, frame, ros::Time(0)).transform;
-    const auto& q = transform.rotation;
-    return Site{transform.translation.x, transform.translation.y,
-                std::atan2(2.0 * (q.w * q.z + q.x * q.y), 1.0 - 2.0 * (q.y * q.y + q.z * q.z))};
+    return tws_runtime::findSite(bus_.transforms(), params_.frame, frame, why);
   }
 
   /// The first radar's site; of the first one that is heard, when the first radar has none.

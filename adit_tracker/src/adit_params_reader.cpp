@@ -11,24 +11,6 @@ using tws_runtime::ParameterReader;
 
 constexpr double kMost = 1e9;
 
-void degrees(ParameterReader& reader, const std::string& key, double& radians, double least, double greatest) {
-  double value = 0.0;
-  reader.number(key, value, least, greatest);
-  if (reader.has(key)) radians = tws::radians(value);
-}
-
-void knots(ParameterReader& reader, const std::string& key, double& speed) {
-  double value = 0.0;
-  reader.number(key, value, 0.0, 10000.0);
-  if (reader.has(key)) speed = tws::speedFromKnots(value);
-}
-
-void number(ParameterReader& reader, const std::string& key, std::uint32_t& value, long least, long greatest) {
-  long number = value;
-  reader.integer(key, number, least, greatest);
-  value = static_cast<std::uint32_t>(number);
-}
-
 template <class T>
 void choice(ParameterReader& reader, const std::string& key, T& value,
             const std::vector<std::pair<std::string, T>>& names) {
@@ -52,7 +34,7 @@ void readRadars(ParameterReader& reader, std::vector<RadarParams>& radars) {
     entry.text("name", radar.name);
     entry.number("period_s", radar.period, 0.5, 120.0);
     entry.number("range_sigma_m", radar.range_sigma, 0.1, 1e5);
-    degrees(entry, "azimuth_sigma_deg", radar.azimuth_sigma, 1e-4, 20.0);
+    scaledNumber(entry, "azimuth_sigma_deg", radar.azimuth_sigma, tws::kRadiansPerDegree, 1e-4, 20.0);
     entry.done();
     radars.push_back(radar);
   }
@@ -93,7 +75,7 @@ void readFilters(ParameterReader& reader, AditParams& p) {
   alpha_beta.number("omega_max", p.alpha_beta.omega_max, 1e-6, 100.0);
   alpha_beta.done();
   ParameterReader turning = reader.map("turning");
-  degrees(turning, "turn_rate_deg_per_s", p.turning.turn_rate, 0.01, 28.0);
+  scaledNumber(turning, "turn_rate_deg_per_s", p.turning.turn_rate, tws::kRadiansPerDegree, 0.01, 28.0);
   turning.number("straight_acceleration", p.turning.straight_acceleration, 0.0, 1e6);
   turning.number("turning_acceleration", p.turning.turning_acceleration, 0.0, 1e6);
   turning.number("straight_time_s", p.turning.straight_time, 0.1, 1e6);
@@ -127,10 +109,11 @@ void readLife(ParameterReader& reader, AditParams& p) {
 void readClutter(ParameterReader& reader, AditParams& p) {
   ParameterReader c = reader.map("clutter");
   c.flag("per_radar", p.clutter.per_radar);
-  number(c, "capacity", p.clutter.capacity, 2, 1000001);
+  c.integer("capacity", p.clutter.capacity, 2, 1000001);
   c.number("drop_time_s", p.clutter.drop_time, 1.0, 1e6);
   c.number("gate_range_m", p.clutter.gate.range, 1.0, 1e5);
-  degrees(c, "gate_azimuth_deg", p.clutter.gate.azimuth, 0.001, tws::degrees(tws::kSectorWidth));
+  scaledNumber(c, "gate_azimuth_deg", p.clutter.gate.azimuth, tws::kRadiansPerDegree, 0.001,
+               tws::degrees(tws::kSectorWidth));
   c.number("gate_sigmas", p.clutter.gate_sigmas, 0.0, 100.0);
   c.number("range_weight", p.clutter.gate.range_weight, 0.0, 1e6);
   c.number("azimuth_weight", p.clutter.gate.azimuth_weight, 0.0, 1e6);
@@ -140,9 +123,9 @@ void readClutter(ParameterReader& reader, AditParams& p) {
   c.done();
   ParameterReader v = reader.map("conversion");
   v.integer("scans", p.conversion.scans, 2, 1000);
-  knots(v, "speed_up_kn", p.conversion.speed_up);
-  knots(v, "speed_down_kn", p.conversion.speed_down);
-  degrees(v, "azimuth_rate_deg_per_s", p.conversion.azimuth_rate, 0.0, 100.0);
+  scaledNumber(v, "speed_up_kn", p.conversion.speed_up, tws::kMetresPerSecondPerKnot, 0.0, 10000.0);
+  scaledNumber(v, "speed_down_kn", p.conversion.speed_down, tws::kMetresPerSecondPerKnot, 0.0, 10000.0);
+  scaledNumber(v, "azimuth_rate_deg_per_s", p.conversion.azimuth_rate, tws::kRadiansPerDegree, 0.0, 100.0);
   v.flag("over_ground", p.conversion.over_ground);
   v.flag("from_start", p.conversion.from_start);
   v.done();
@@ -156,7 +139,7 @@ AditParams readAditParams(ParameterReader& reader, const std::string& default_se
   AditParams p = AditParams::named(set);
   readRadars(reader, p.radars);
   reader.text("reference_radar", p.reference_radar);
-  number(reader, "capacity", p.capacity, 2, 1000001);
+  reader.integer("capacity", p.capacity, 2, 1000001);
   reader.number("skew_limit_s", p.skew_limit, 0.0, 60.0);
   readFilters(reader, p);
   reader.flag("learn_noise", p.learn_noise);

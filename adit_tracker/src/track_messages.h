@@ -2,16 +2,13 @@
 
 #include <tws_msgs/ClutterMap.h>
 #include <tws_msgs/Track.h>
+#include <tws_runtime/conversions.h>
 
 #include "adit.h"
 
 namespace adit_tracker {
 
-/// Where the radars stand in the frame of positions, and how their east is turned from its x axis, anticlockwise.
-struct Site {
-  double x = 0.0, y = 0.0;  // [m]
-  double turn = 0.0;        // [rad]
-};
+using tws_runtime::Site;
 
 /// What the tracker says of a track: range and azimuth as the radars see it, position and velocity in the frame of
 /// positions.

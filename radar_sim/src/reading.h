@@ -20,18 +20,10 @@ struct ReadingContext {
 };
 
 using tws_runtime::ParameterReader;
+using tws_runtime::scaledNumber;
 
 constexpr double kFarthest = 1e7;  ///< Bounds of positions [m].
 constexpr double kLongest = 1e6;   ///< Bounds of times [s].
-
-/// A number whose unit in the file is `unit` SI units; the bounds are in the file's unit.
-inline void scaledNumber(ParameterReader& reader, const std::string& key, double& value, double unit, double least,
-                         double greatest) {
-  if (!reader.has(key)) return reader.number(key, value, least, greatest);
-  double read = 0.0;
-  reader.number(key, read, least, greatest);
-  value = read * unit;
-}
 
 /// Two numbers, the smaller one first.
 void readInterval(ParameterReader& reader, const std::string& key, Interval& value, double unit, double least,

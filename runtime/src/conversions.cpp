@@ -46,6 +46,15 @@ ros::Time toTime(double seconds) {
   return time;
 }
 
+std::optional<Site> findSite(const tf2::BufferCore& transforms, const std::string& frame,
+                             const std::string& radar_frame, std::string& why) {
+  if (!transforms.canTransform(frame, radar_frame, ros::Time(0), &why)) return std::nullopt;
+  const auto transform = transforms.lookupTransform(frame, radar_frame, ros::Time(0)).transform;
+  const auto& q = transform.rotation;
+  const auto& at = transform.translation;
+  return Site{at.x, at.y, at.z, std::atan2(2.0 * (q.w * q.z + q.x * q.y), 1.0 - 2.0 * (q.y * q.y + q.z * q.z))};
+}
+
 std::string faultOf(const tws_msgs::Detection& detection) {
   const double below_two_pi = std::nextafter(tws::kTwoPi, 0.0);
   const Field fields[] = {

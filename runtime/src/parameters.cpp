@@ -223,6 +223,14 @@ void ParameterReader::failAt(const YAML::Node& node, const std::string& path, co
 
 std::string ParameterReader::pathTo(const std::string& key) const { return path_.empty() ? key : path_ + "." + key; }
 
+void scaledNumber(ParameterReader& reader, const std::string& key, double& value, double unit, double least,
+                  double greatest) {
+  if (!reader.has(key)) return reader.number(key, value, least, greatest);
+  double read = 0.0;
+  reader.number(key, read, least, greatest);
+  value = read * unit;
+}
+
 YAML::Node loadParameterFile(const std::string& path) {
   try {
     const YAML::Node tree = YAML::LoadFile(path);

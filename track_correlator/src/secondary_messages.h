@@ -5,16 +5,13 @@
 
 #include <tws_msgs/SsrPlots.h>
 #include <tws_msgs/Track.h>
+#include <tws_runtime/conversions.h>
 
 #include "secondary_tracker.h"
 
 namespace track_correlator {
 
-/// Where the radar stands in the frame of positions, and how its east is turned from the x axis, anticlockwise.
-struct Site {
-  double x = 0.0, y = 0.0, z = 0.0;  // [m]
-  double turn = 0.0;                 // [rad]
-};
+using tws_runtime::Site;
 
 /// A message's sector. Plots without a usable position or time are left out, codes and heights out of range become
 /// unknown; `faults` gets a line for each.

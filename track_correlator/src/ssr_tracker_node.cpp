@@ -113,13 +113,8 @@ class SsrTrackerNode::Impl {
   /// False: wait.
   bool findSite(bool patient) {
     std::string why;
-    if (bus_.transforms().canTransform(params_.frame, frame_, ros::Time(0), &why)) {
-      const auto transform = bus_.transforms().lookupTransform(params_.frame, frame_, ros::Time(0)).transform;
-      const auto& q = transform.rotation;
-      const auto& at = transform.translation;
-      site_ = Site{at.x, at.y, at.z, std::atan2(2.0 * (q.w * q.z + q.x * q.y), 1.0 - 2.0 * (q.y * q.y + q.z * q.z))};
-      return true;
-    }
+    site_ = tws_runtime::findSite(bus_.transforms(), params_.frame, frame_, why);
+    if (site_) return true;
     if (patient) return false;
     bus_.counter("unknown sites").add("no transform from " + frame_ + " to " + params_.frame + ": " + why);
     site_ = Site{};

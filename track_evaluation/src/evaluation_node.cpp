@@ -163,11 +163,9 @@ class EvaluationNode::Impl {
   Eigen::Vector3d site(const std::string& radar, const std::string& frame) {
     std::string why;
     if (radar.empty()) return Eigen::Vector3d::Zero();  // No track yet.
-    if (!bus_.transforms().canTransform(frame, radar, ros::Time(0), &why)) {
-      bus_.counter("unknown sites").add("no transform from " + radar + " to " + frame + ": " + why);
-      return Eigen::Vector3d::Zero();
-    }
-    const auto at = bus_.transforms().lookupTransform(frame, radar, ros::Time(0)).transform.translation;
+    const auto found = tws_runtime::findSite(bus_.transforms(), frame, radar, why);
+    if (!found) bus_.counter("unknown sites").add("no transform from " + radar + " to " + frame + ": " + why);
+    const tws_runtime::Site at = found.value_or(tws_runtime::Site{});
     return {at.x, at.y, at.z};
   }
 

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <ros/time.h>
+#include <tf2/buffer_core.h>
 #include <tws_core/plot.h>
 #include <tws_msgs/Detection.h>
 #include <tws_msgs/Detections.h>
 
+#include <optional>
 #include <string>
 
 namespace tws_runtime {
@@ -15,6 +17,16 @@ namespace tws_runtime {
 double toSeconds(ros::Time time);
 /// The nanosecond next to `seconds`. Throws std::invalid_argument when it is NaN or not in [0, 2^32).
 ros::Time toTime(double seconds);
+
+/// Where a radar stands in the frame of positions, and how its east is turned from the x axis, anticlockwise.
+struct Site {
+  double x = 0.0, y = 0.0, z = 0.0;  ///< [m]
+  double turn = 0.0;                 ///< [rad]
+};
+
+/// The site of the radar with that frame; nothing: no transform says it (yet), and `why`.
+std::optional<Site> findSite(const tf2::BufferCore& transforms, const std::string& frame,
+                             const std::string& radar_frame, std::string& why);
 
 /// Why a detection cannot be used, e.g. "azimuth is nan"; empty: it can. Range and azimuth must be in range; what may
 /// be unknown may be NaN, and if known must be in range too.

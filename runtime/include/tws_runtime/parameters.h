@@ -36,6 +36,13 @@ class ParameterReader {
   /// All throw ParameterError; bounds are inclusive; NaN is refused.
   void number(const std::string& key, double& value, double least, double greatest);
   void integer(const std::string& key, long& value, long least, long greatest);
+  /// The same for other whole numbers; the bounds must lie within their type.
+  template <class Integer>
+  void integer(const std::string& key, Integer& value, long least, long greatest) {
+    long number = static_cast<long>(value);
+    integer(key, number, least, greatest);
+    value = static_cast<Integer>(number);
+  }
   void flag(const std::string& key, bool& value);
   void text(const std::string& key, std::string& value);
   /// One of `allowed`, else an error that lists them.
@@ -66,6 +73,10 @@ class ParameterReader {
   std::string path_;
   std::set<std::string> known_;
 };
+
+/// A number whose unit in the file is `unit` SI units; the bounds are in the file's unit.
+void scaledNumber(ParameterReader& reader, const std::string& key, double& value, double unit, double least,
+                  double greatest);
 
 /// The tree in a YAML file. Throws ParameterError with file, line, column and reason when it cannot be read, is no
 /// YAML, or holds a key twice in one map. An empty file is an empty map.
