@@ -1,3 +1,4 @@
+#include <ros/package.h>
 #include <track_evaluation/evaluation_node.h>
 #include <tws_runtime/bag_source.h>
 #include <tws_runtime/command_line.h>
@@ -10,7 +11,6 @@
 #include <iostream>
 
 #include "bag_contents.h"
-#include "package_path.h"
 
 namespace {
 
@@ -22,6 +22,14 @@ struct Options {
   std::vector<std::string> trackers;
   bool truth_optional = false, quiet = false;
 };
+
+/// The folder that holds this package's config, in the source or the install space.
+std::string packagePath() {
+  const std::string path = ros::package::getPath("track_evaluation");
+  if (path.empty())
+    throw std::runtime_error("package track_evaluation is not found: source setup.bash, or name the files");
+  return path;
+}
 
 YAML::Node parametersFor(const Options& options, const BagContents& contents) {
   const std::string config = options.config.empty() ? packagePath() + "/config/evaluation.yaml" : options.config;
