@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include <random>
+#include <tws_core/random_test_helpers.h>
 
 #include "block_test_helpers.h"
 
@@ -50,9 +50,7 @@ TEST(Block, RefusesFieldSpecificationsThatDoNotEnd) {
 
 // Whatever comes over the wire, the program goes on, and good data are decoded as if nothing had been.
 TEST(Block, SurvivesRandomMutations) {
-  const unsigned seed = std::random_device{}();
-  SCOPED_TRACE("seed " + std::to_string(seed));
-  std::mt19937 random(seed);
+  auto random = tws::seededGenerator();
   const Octets good = blockOf(1, plot001() + plot001() + plot001());
   const std::uint8_t categories[] = {1, 2, 34, 48};
   for (int round = 0; round < 20000; ++round) {

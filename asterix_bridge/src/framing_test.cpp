@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include <random>
+#include <tws_core/random_test_helpers.h>
 
 #include "framing_test_helpers.h"
 
@@ -109,9 +109,7 @@ TEST(RecorderFraming, SaysThatTheLastBlockIsCutAndKeepsTheOthers) {
 }
 
 TEST(RawFraming, GoesOnBehindRandomBytes) {
-  const unsigned seed = std::random_device{}();
-  SCOPED_TRACE("seed " + std::to_string(seed));
-  std::mt19937 random(seed);
+  auto random = tws::seededGenerator();
   for (int round = 0; round < 200; ++round) {
     Octets noise(1 + random() % 40);
     for (std::uint8_t& octet : noise) octet = static_cast<std::uint8_t>(0xE0 | random());  // no category that we know

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include <random>
+#include <tws_core/random_test_helpers.h>
 
 #include "framing_test_helpers.h"
 
@@ -131,9 +131,7 @@ TEST(PcapNg, GivesBlocksWithThePacketsTimeInTheInterfacesUnit) {
 
 // A broken file must end in a report, not in a crash.
 TEST(PacketFile, SurvivesRandomMutations) {
-  const unsigned seed = std::random_device{}();
-  SCOPED_TRACE("seed " + std::to_string(seed));
-  std::mt19937 random(seed);
+  auto random = tws::seededGenerator();
   const Octets packet = ethernet(ipv4(udp(kPlot)));
   const auto size = static_cast<std::uint32_t>(packet.size());
   const Octets pcap = kPcapHeader + pcapPacket(packet, 1, 0) + pcapPacket(packet, 2, 0);
