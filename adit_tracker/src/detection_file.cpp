@@ -8,6 +8,23 @@
 
 namespace adit_tracker {
 
+void DetectionSector::index() {
+  places.clear();
+  middle = tws::sectorStart(tws::wrapSector(static_cast<int>(running % tws::kSectors))) + 0.5 * tws::kSectorWidth;
+  spread = 0.0;
+  for (const Detection& detection : detections) {
+    places.push_back({detection.plot.range, detection.plot.azimuth});
+    spread = std::max(spread, std::abs(tws::angularDifference(detection.plot.azimuth, middle)));
+  }
+  begins.assign(places.size(), 0);
+  if (places.empty()) return;
+  bin = places.back().range / static_cast<double>(places.size());
+  std::size_t next = 0;
+  for (std::uint32_t i = 0; i < places.size(); ++i) {
+    for (const std::size_t its_bin = binOf(places[i].range); next <= its_bin; ++next) begins[next] = i;
+  }
+}
+
 DetectionFile::DetectionFile() : sectors_(kKept) {}
 
 DetectionSector& DetectionFile::add(const tws::RadarSector& sector) {
@@ -21,26 +38,8 @@ DetectionSector& DetectionFile::add(const tws::RadarSector& sector) {
   std::sort(slot.detections.begin(), slot.detections.end(), [](const Detection& a, const Detection& b) {
     return std::tie(a.plot.range, a.plot.time, a.plot.azimuth) < std::tie(b.plot.range, b.plot.time, b.plot.azimuth);
   });
-  index(slot);
+  slot.index();
   return slot;
-}
-
-void DetectionFile::index(DetectionSector& sector) {
-  sector.places.clear();
-  sector.middle =
-      tws::sectorStart(tws::wrapSector(static_cast<int>(sector.running % tws::kSectors))) + 0.5 * tws::kSectorWidth;
-  sector.spread = 0.0;
-  for (const Detection& detection : sector.detections) {
-    sector.places.push_back({detection.plot.range, detection.plot.azimuth});
-    sector.spread = std::max(sector.spread, std::abs(tws::angularDifference(detection.plot.azimuth, sector.middle)));
-  }
-  sector.begins.assign(sector.places.size(), 0);
-  if (sector.places.empty()) return;
-  sector.bin = sector.places.back().range / static_cast<double>(sector.places.size());
-  std::size_t next = 0;
-  for (std::uint32_t i = 0; i < sector.places.size(); ++i) {
-    for (const std::size_t bin = sector.binOf(sector.places[i].range); next <= bin; ++next) sector.begins[next] = i;
-  }
 }
 
 DetectionSector& DetectionFile::at(std::int64_t running) {

@@ -34,6 +34,9 @@ struct DetectionSector {
   // All azimuths lie within `spread` of `middle`: by the errors of the radar, some lie outside of the sector.
   double middle = 0.0, spread = 0.0;
 
+  /// To be called when `detections` are there: fills what follows them.
+  void index();
+
   /// Calls `take(detection, range difference, azimuth difference)` for each unused detection within the half-widths [m,
   /// rad] of a place. Cost: those within the range; nothing when all are too far away in azimuth.
   template <class Take>
@@ -49,8 +52,6 @@ struct DetectionSector {
   }
 
  private:
-  friend class DetectionFile;
-
   std::size_t binOf(double range) const {
     return static_cast<std::size_t>(std::clamp(range / bin, 0.0, static_cast<double>(begins.size() - 1)));
   }
@@ -79,8 +80,6 @@ class DetectionFile {
   DetectionSector& at(std::int64_t running);
 
  private:
-  static void index(DetectionSector& sector);
-
   static constexpr std::int64_t kKept = 128;  // two turns
   std::vector<DetectionSector> sectors_;
   DetectionSector empty_;
