@@ -1,11 +1,12 @@
 #pragma once
 
+#include <tws_core/geodesy.h>
+
 namespace radar_sim {
 
 /// Propagation over a smooth sea on a round earth. Refraction is taken in by an effective earth radius of 4/3 of the
 /// true one (Skolnik, Introduction to Radar Systems, 2nd ed., section 12.4).
-constexpr double kEarthRadius = 6371000.0;                          // [m], mean
-constexpr double kEffectiveEarthRadius = 4.0 / 3.0 * kEarthRadius;  // [m]
+constexpr double kEffectiveEarthRadius = 4.0 / 3.0 * tws::kMeanEarthRadius;  // [m]
 
 /// Distance to the horizon of an antenna, sqrt(2 a h) [m]; height above the sea >= 0 [m].
 double horizonDistance(double height);

@@ -8,11 +8,10 @@
 #include <tws_core/sectors.h>
 
 #include "radar_equation.h"
+#include "reported_place.h"
 
 namespace radar_sim {
 namespace {
-
-constexpr double kLeastRange = 1.0;  // noise may carry a very near plot below zero, a report never [m]
 
 double statedSnr(const Reflection& reflection, double pfa) {
   if (std::isnan(reflection.detection_probability)) return tws::Plot::kUnknown;
@@ -154,8 +153,10 @@ tws::Plot RotatingRadar::measure(const Echo& echo, const SectorSpan& sector) con
   const double snr = echo.power - 1.0;
   tws::Plot plot;
   plot.time = mast_.stampWithin(sector, echo.time);
-  plot.range = std::max(tws::quantise(echo.range + echo.range_error, params_.range_lsb), kLeastRange);
-  plot.azimuth = tws::wrapTwoPi(tws::quantise(echo.azimuth + echo.azimuth_error, params_.azimuth_lsb));
+  const ReportedPlace place(echo.range + echo.range_error, echo.azimuth + echo.azimuth_error, params_.range_lsb,
+                            params_.azimuth_lsb);
+  plot.range = place.range;
+  plot.azimuth = place.azimuth;
   plot.range_sigma = noiseSigma(params_, params_.range_sigma, rangeCell(params_), snr);
   plot.azimuth_sigma = noiseSigma(params_, params_.azimuth_sigma, params_.azimuth_beamwidth, snr);
   plot.snr = 10.0 * std::log10(snr);

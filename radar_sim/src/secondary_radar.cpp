@@ -8,11 +8,10 @@
 #include <tws_core/angles.h>
 
 #include "propagation.h"
+#include "reported_place.h"
 
 namespace radar_sim {
 namespace {
-
-constexpr double kLeastRange = 1.0;  // noise may carry a very near plot below zero, a report never [m]
 
 using ModeOf = std::function<Mode(std::int64_t interrogation)>;
 using Replies = std::array<std::vector<DecodedReply>, kModes>;
@@ -168,8 +167,10 @@ std::vector<SecondaryPlot> SecondaryRadar::takePlots(const SectorSpan& span, dou
 
 SecondaryPlot SecondaryRadar::measured(SecondaryPlot plot, const SectorSpan& span) const {
   plot.time = mast_.stampWithin(span, plot.time);
-  plot.range = std::max(tws::quantise(plot.range + params_.range_bias, params_.range_lsb), kLeastRange);
-  plot.azimuth = tws::wrapTwoPi(tws::quantise(plot.azimuth + params_.azimuth_bias, params_.azimuth_lsb));
+  const ReportedPlace place(plot.range + params_.range_bias, plot.azimuth + params_.azimuth_bias, params_.range_lsb,
+                            params_.azimuth_lsb);
+  plot.range = place.range;
+  plot.azimuth = place.azimuth;
   return plot;
 }
 

@@ -17,11 +17,11 @@ double Trajectory::nextExistence(double time) const {
 TargetState overTheSea(const Eigen::Vector2d& position, const Eigen::Vector2d& velocity, double height,
                        double climb_rate, double origin_altitude) {
   // On the sphere: (z + a + h0)² + d² = (a + h)².
-  const double radius = kEarthRadius + height;
+  const double radius = tws::kMeanEarthRadius + height;
   const double to_centre = std::sqrt(radius * radius - position.squaredNorm());
   const double sinking = (radius * climb_rate - position.dot(velocity)) / to_centre;
   TargetState state;
-  state.position << position, to_centre - kEarthRadius - origin_altitude;
+  state.position << position, to_centre - tws::kMeanEarthRadius - origin_altitude;
   state.velocity << velocity, sinking;
   state.height = height;
   return state;

@@ -62,8 +62,7 @@ Geodetic geodeticFromEcef(const Eigen::Vector3d& ecef) {
 }
 
 double altitudeOverSphere(const Eigen::Vector3d& enu) {
-  constexpr double kRadius = 6371e3;  // mean
-  return (enu + Eigen::Vector3d(0.0, 0.0, kRadius)).norm() - kRadius;
+  return (enu + Eigen::Vector3d(0.0, 0.0, kMeanEarthRadius)).norm() - kMeanEarthRadius;
 }
 
 LocalFrame::LocalFrame(const Geodetic& origin) : origin_(origin) {

@@ -16,6 +16,8 @@ Eigen::Vector3d ecefFromGeodetic(const Geodetic& geodetic);
 /// Longitude in (-π, π]. Good to better than a micrometre from 100 km below the ellipsoid to 1000 km above it.
 Geodetic geodeticFromEcef(const Eigen::Vector3d& ecef);
 
+constexpr double kMeanEarthRadius = 6371e3;  // [m]
+
 /// Altitude [m] of a point given as east, north, up [m] about an origin at altitude 0 whose place is not known: over a
 /// sphere, right to 0.6 % of what the plane sinks away (20 m at 200 km). With the place known, LocalFrame is exact.
 double altitudeOverSphere(const Eigen::Vector3d& enu);
