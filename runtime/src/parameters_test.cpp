@@ -218,5 +218,21 @@ TEST(TreeFromXmlRpc, RefusesWhatIsNoParameter) {
             "adit/blob: is a date or binary data, which no parameter is");
 }
 
+// If this fails, an angle in degrees arrives as radians, or a default is scaled that nobody gave.
+TEST(ParameterReader, ReadsOtherUnitsAndOtherWholeNumbers) {
+  ParameterReader reader(YAML::Load("{turn_deg: 180, count: 7}"), "node");
+  double turn = 0.25, kept = 0.25;
+  scaledNumber(reader, "turn_deg", turn, 0.01, 0.0, 360.0);
+  scaledNumber(reader, "absent_deg", kept, 0.01, 0.0, 360.0);
+  EXPECT_DOUBLE_EQ(turn, 1.8);
+  EXPECT_EQ(kept, 0.25);
+  std::uint32_t count = 3, other = 3;
+  reader.integer("count", count, 0, 10);
+  reader.integer("absent", other, 0, 10);
+  EXPECT_EQ(count, 7U);
+  EXPECT_EQ(other, 3U);
+  reader.done();
+}
+
 }  // namespace
 }  // namespace tws_runtime
