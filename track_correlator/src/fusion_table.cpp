@@ -83,21 +83,18 @@ void FusionTable::initiate(std::uint32_t primary, const Candidate& candidate) {
 
 bool FusionTable::losePrimary(std::uint32_t primary) {
   candidates_.erase(primary);
-  FusionRow* row = ofPrimary(primary);
-  if (row == nullptr) return true;
-  row->primary_lost = true;
-  row->rival_count = 0;
-  const bool both = row->secondary_lost;
-  if (both) remove(*row);
-  return both;
+  return lose(ofPrimary(primary), &FusionRow::primary_lost);
 }
 
 bool FusionTable::loseSecondary(std::uint32_t secondary) {
-  FusionRow* row = ofSecondary(secondary);
+  return lose(ofSecondary(secondary), &FusionRow::secondary_lost);
+}
+
+bool FusionTable::lose(FusionRow* row, bool FusionRow::*lost) {
   if (row == nullptr) return true;
-  row->secondary_lost = true;
+  row->*lost = true;
   row->rival_count = 0;
-  const bool both = row->primary_lost;
+  const bool both = row->primary_lost && row->secondary_lost;
   if (both) remove(*row);
   return both;
 }

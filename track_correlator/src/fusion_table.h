@@ -85,6 +85,7 @@ class FusionTable {
     return const_cast<FusionRow*>(std::as_const(*this).find(index, uid));
   }
   const FusionRow* find(const Index& index, std::uint32_t uid) const;
+  bool lose(FusionRow* row, bool FusionRow::*lost);
   Outcome countRival(FusionRow& row, std::uint32_t rival, std::int64_t running);
   void takeOver(FusionRow& row);
   Outcome countCandidate(std::uint32_t primary, std::uint32_t secondary, std::int64_t running);
