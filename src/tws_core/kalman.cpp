@@ -1,5 +1,6 @@
 #include <tws_core/kalman.h>
 
+#include <Eigen/LU>
 #include <cmath>
 
 #include <tws_core/geometry.h>
@@ -17,15 +18,29 @@ Eigen::Matrix2d rotated(double along, double across, double azimuth) {
   return covariance;
 }
 
-Eigen::Matrix2d symmetric(const Eigen::Matrix2d& matrix) { return 0.5 * (matrix + matrix.transpose()); }
+template <int N>
+using Square = Eigen::Matrix<double, N, N>;
 
-void assemble(Eigen::Matrix4d& covariance, const Eigen::Matrix2d& position, const Eigen::Matrix2d& cross,
-              const Eigen::Matrix2d& velocity) {
-  covariance.topLeftCorner<2, 2>() = position;
-  covariance.topRightCorner<2, 2>() = cross;
-  covariance.bottomLeftCorner<2, 2>() = cross.transpose();
-  covariance.bottomRightCorner<2, 2>() = velocity;
+template <int N>
+Square<N> symmetric(const Square<N>& matrix) {
+  return 0.5 * (matrix + matrix.transpose());
 }
+
+template <int N>
+void assemble(Square<2 * N>& covariance, const Square<N>& position, const Square<N>& cross, const Square<N>& velocity) {
+  covariance.template topLeftCorner<N, N>() = position;
+  covariance.template topRightCorner<N, N>() = cross;
+  covariance.template bottomLeftCorner<N, N>() = cross.transpose();
+  covariance.template bottomRightCorner<N, N>() = velocity;
+}
+
+Square<2> inverseOf(const Square<2>& s) {
+  Square<2> inverse;
+  inverse << s(1, 1), -s(0, 1), -s(1, 0), s(0, 0);
+  return inverse / (s(0, 0) * s(1, 1) - s(0, 1) * s(1, 0));
+}
+
+Square<3> inverseOf(const Square<3>& s) { return symmetric<3>(s.inverse()); }
 
 }  // namespace
 
@@ -44,49 +59,59 @@ PlanarMeasurement unbiasedMeasurement(double range, double azimuth, double sigma
   return {planarFromPolar(range * std::exp(0.5 * azimuth_variance), azimuth), rotated(along, across, azimuth)};
 }
 
-PlanarState startState(const PlanarMeasurement& measurement, double sigma_velocity) {
-  PlanarState state;
-  state.mean.head<2>() = measurement.position;
-  state.covariance.topLeftCorner<2, 2>() = measurement.covariance;
-  state.covariance.diagonal().tail<2>().setConstant(sigma_velocity * sigma_velocity);
+template <int N>
+MotionState<N> startState(const PositionMeasurement<N>& measurement, double sigma_velocity) {
+  MotionState<N> state;
+  state.mean.template head<N>() = measurement.position;
+  state.covariance.template topLeftCorner<N, N>() = measurement.covariance;
+  state.covariance.diagonal().template tail<N>().setConstant(sigma_velocity * sigma_velocity);
   return state;
 }
 
-void predict(PlanarState& state, double dt, double q) {
-  state.mean.head<2>() += dt * state.mean.tail<2>();
-  const Eigen::Matrix2d velocity = state.covariance.bottomRightCorner<2, 2>();
-  const Eigen::Matrix2d cross = state.covariance.topRightCorner<2, 2>();
-  const Eigen::Matrix2d moved_cross = cross + dt * velocity;
+template <int N>
+void predict(MotionState<N>& state, double dt, double q) {
+  state.mean.template head<N>() += dt * state.mean.template tail<N>();
+  const Square<N> velocity = state.covariance.template bottomRightCorner<N, N>();
+  const Square<N> cross = state.covariance.template topRightCorner<N, N>();
+  const Square<N> moved_cross = cross + dt * velocity;
   // P_pp + dt·(P_pv + P_vp) + dt²·P_vv, each term symmetric by itself.
-  Eigen::Matrix2d position =
-      state.covariance.topLeftCorner<2, 2>() + dt * (cross + cross.transpose()) + dt * dt * velocity;
+  Square<N> position =
+      state.covariance.template topLeftCorner<N, N>() + dt * (cross + cross.transpose()) + dt * dt * velocity;
   position.diagonal().array() += q * dt * dt * dt / 3.0;
-  const Eigen::Matrix2d identity = Eigen::Matrix2d::Identity();
-  assemble(state.covariance, position, moved_cross + 0.5 * q * dt * dt * identity, velocity + q * dt * identity);
+  const Square<N> identity = Square<N>::Identity();
+  assemble<N>(state.covariance, position, moved_cross + 0.5 * q * dt * dt * identity, velocity + q * dt * identity);
 }
 
-PlanarInnovation innovation(const PlanarState& predicted, const PlanarMeasurement& measurement) {
-  PlanarInnovation result;
-  result.residual = measurement.position - predicted.mean.head<2>();
-  result.covariance = predicted.covariance.topLeftCorner<2, 2>() + measurement.covariance;
-  const Eigen::Matrix2d& s = result.covariance;
-  const double determinant = s(0, 0) * s(1, 1) - s(0, 1) * s(1, 0);
-  result.inverse << s(1, 1), -s(0, 1), -s(1, 0), s(0, 0);
-  result.inverse /= determinant;
+template <int N>
+Innovation<N> innovation(const MotionState<N>& predicted, const PositionMeasurement<N>& measurement) {
+  Innovation<N> result;
+  result.residual = measurement.position - predicted.mean.template head<N>();
+  result.covariance = predicted.covariance.template topLeftCorner<N, N>() + measurement.covariance;
+  result.inverse = inverseOf(result.covariance);
   result.nis = result.residual.dot(result.inverse * result.residual);
   return result;
 }
 
-void update(PlanarState& state, const PlanarMeasurement& measurement, const PlanarInnovation& innovation) {
-  const Eigen::Matrix2d position = state.covariance.topLeftCorner<2, 2>();
-  const Eigen::Matrix2d cross = state.covariance.topRightCorner<2, 2>();
-  const Eigen::Matrix2d velocity_gain = cross.transpose() * innovation.inverse;
-  state.mean.head<2>() += position * (innovation.inverse * innovation.residual);
-  state.mean.tail<2>() += velocity_gain * innovation.residual;
+template <int N>
+void update(MotionState<N>& state, const PositionMeasurement<N>& measurement, const Innovation<N>& innovation) {
+  const Square<N> position = state.covariance.template topLeftCorner<N, N>();
+  const Square<N> cross = state.covariance.template topRightCorner<N, N>();
+  const Square<N> velocity_gain = cross.transpose() * innovation.inverse;
+  state.mean.template head<N>() += position * (innovation.inverse * innovation.residual);
+  state.mean.template tail<N>() += velocity_gain * innovation.residual;
   // (I - K)·P_pp = R·S⁻¹·P_pp: a product, so that a precise measurement is not the difference of two large numbers.
-  const Eigen::Matrix2d keep = measurement.covariance * innovation.inverse;
-  const Eigen::Matrix2d velocity = state.covariance.bottomRightCorner<2, 2>() - velocity_gain * cross;
-  assemble(state.covariance, symmetric(keep * position), keep * cross, symmetric(velocity));
+  const Square<N> keep = measurement.covariance * innovation.inverse;
+  const Square<N> velocity = state.covariance.template bottomRightCorner<N, N>() - velocity_gain * cross;
+  assemble<N>(state.covariance, symmetric<N>(keep * position), keep * cross, symmetric<N>(velocity));
 }
+
+template PlanarState startState(const PlanarMeasurement&, double);
+template void predict(PlanarState&, double, double);
+template PlanarInnovation innovation(const PlanarState&, const PlanarMeasurement&);
+template void update(PlanarState&, const PlanarMeasurement&, const PlanarInnovation&);
+template SpatialState startState(const SpatialMeasurement&, double);
+template void predict(SpatialState&, double, double);
+template SpatialInnovation innovation(const SpatialState&, const SpatialMeasurement&);
+template void update(SpatialState&, const SpatialMeasurement&, const SpatialInnovation&);
 
 }  // namespace tws

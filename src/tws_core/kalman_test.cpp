@@ -69,6 +69,41 @@ TEST(PlanarKalman, AgreesWithTheDenseTextbookFilterOverManySteps) {
   }
 }
 
+// The same against matrices written out for three dimensions: an axis mixed up would make every height wrong.
+TEST(SpatialKalman, AgreesWithTheDenseTextbookFilterOverManySteps) {
+  using Matrix6d = Eigen::Matrix<double, 6, 6>;
+  const Eigen::Matrix<double, 3, 6> h = Eigen::Matrix<double, 3, 6>::Identity();
+  const Eigen::Matrix3d one = Eigen::Matrix3d::Identity();
+  auto generator = seededGenerator();
+  const auto measure = [&] {
+    Eigen::Matrix3d root;
+    for (double& value : root.reshaped()) value = uniform(generator, -50.0, 50.0);
+    return SpatialMeasurement{Eigen::Vector3d(uniform(generator, 0.0, 9e4), uniform(generator, 0.0, 9e4), 5e3),
+                              root * root.transpose() + 25.0 * one};
+  };
+  for (int run = 0; run < 50; ++run) {
+    SpatialState state = startState(measure(), 200.0);
+    SpatialState dense = state;
+    for (int step = 0; step < 50; ++step) {
+      const double dt = uniform(generator, 0.0, 8.0), q = uniform(generator, 1.0, 30.0);
+      Matrix6d f = Matrix6d::Identity(), noise;
+      f.topRightCorner<3, 3>() = dt * one;
+      noise << q * dt * dt * dt / 3 * one, q * dt * dt / 2 * one, q * dt * dt / 2 * one, q * dt * one;
+      predict(state, dt, q);
+      const SpatialMeasurement z = measure();
+      update(state, z, innovation(state, z));
+      const Matrix6d p = f * dense.covariance * f.transpose() + noise;
+      const Eigen::Matrix<double, 6, 3> gain = p * h.transpose() * (h * p * h.transpose() + z.covariance).inverse();
+      const Matrix6d keep = Matrix6d::Identity() - gain * h;
+      dense.mean = (f * dense.mean + gain * (z.position - h * f * dense.mean)).eval();
+      dense.covariance = keep * p * keep.transpose() + gain * z.covariance * gain.transpose();
+      expectClose(state.mean, dense.mean, 1e-8);
+      expectClose(state.covariance, dense.covariance, 1e-8);
+      ASSERT_EQ(state.covariance, state.covariance.transpose());
+    }
+  }
+}
+
 TEST(PlanarKalman, PredictsInTwoHalvesWhatItPredictsAtOnce) {
   PlanarState once = startState(convertedMeasurement(3e4, 1.0, 40.0, 0.003), 150.0);
   once.mean << 1e4, 2e4, -100.0, 50.0;
