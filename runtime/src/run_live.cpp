@@ -44,6 +44,14 @@ void waitForSubscribers(const RosBus& bus, const LiveOptions& options) {
                                << "; starting without them");
 }
 
+/// Serves callbacks until the commands are there by which the source's next step goes.
+void waitForCommands(Source& source, double timeout) {
+  const ros::WallTime end = ros::WallTime::now() + ros::WallDuration(timeout);
+  while (ros::ok() && !source.isReady() && ros::WallTime::now() < end)
+    ros::getGlobalCallbackQueue()->callOne(ros::WallDuration(kClockPeriod));
+  if (!source.isReady()) source.stopWaiting();
+}
+
 /// Data time that runs `rate` times as fast as the wall clock, and tells everybody.
 class PacedClock {
  public:
@@ -91,6 +99,7 @@ LiveOptions readLiveOptions(const YAML::Node& tree, const std::string& where) {
   reader.number("duration", options.duration, 1e-3, kUnbounded);
   reader.texts("wait_for", options.wait_for);
   reader.number("wait_timeout", options.wait_timeout, 0.0, 3600.0);
+  reader.number("command_timeout", options.command_timeout, 0.0, 3600.0);
   reader.number("linger", options.linger, 0.0, 3600.0);
   reader.done();
   return options;
@@ -105,6 +114,7 @@ void runLive(RosBus& bus, Source& source, const LiveOptions& options) {
   for (auto next = start; next && ros::ok(); next = source.nextTime()) {
     if ((*next - *start).toSec() > options.duration) break;
     clock.waitUntil(*next);
+    waitForCommands(source, options.command_timeout);
     source.step();
     spinFor(0.0);
   }

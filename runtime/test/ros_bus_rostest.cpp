@@ -4,6 +4,7 @@
 #include <ros/ros.h>
 #include <rosgraph_msgs/Clock.h>
 #include <tws_runtime/local_graph.h>
+#include <tws_runtime/lock_step.h>
 #include <tws_runtime/ros_bus.h>
 #include <tws_runtime/run.h>
 
@@ -231,6 +232,71 @@ TEST_F(RosBusTest, ASourceGoesOnWithoutSubscribersAfterAWarningAndRunsAsFastAsPo
   const auto [said, status] = outcomeOf("tws_runtime_test_numbers __name:=lonely" + options);
   EXPECT_NE(said.find("lonely: too few subscribers after 0.3 s: /nobody"), std::string::npos) << said;
   EXPECT_EQ(status, 0);
+}
+
+/// Five reports, each answered by a node of the same process while that has `answers` left.
+class LoopSource : public Source {
+ public:
+  LoopSource(Bus& bus, int answers) : reports_(bus.advertise<std_msgs::Header>("report")), answers_left_(answers) {
+    Publisher<std_msgs::Header> commands = bus.advertise<std_msgs::Header>("command");
+    bus.subscribe<std_msgs::Header>("report", [this, commands](const std_msgs::Header& report) mutable {
+      if (answers_left_-- > 0) commands.publish(report);
+    });
+    bus.subscribe<std_msgs::Header>("command", [this](const auto& m) { loop_.hear(m.stamp, m.stamp); });
+  }
+  std::optional<ros::Time> nextTime() const override {
+    return steps < 5 ? std::optional<ros::Time>(ros::Time(1.0 + steps)) : std::nullopt;
+  }
+  void step() override {
+    for (const ros::Time stamp : loop_.takeDue(*nextTime())) in_force.push_back(stamp.toSec());
+    std_msgs::Header report;
+    report.stamp = *nextTime();
+    loop_.sent(report.stamp);
+    reports_.publish(report);
+    ++steps;
+  }
+  bool isReady() const override { return loop_.isReady(*nextTime()); }
+  void stopWaiting() override {
+    ++waits_in_vain;
+    loop_.stopWaiting();
+  }
+
+  int steps = 0;
+  int waits_in_vain = 0;
+  std::vector<double> in_force;
+
+ private:
+  Publisher<std_msgs::Header> reports_;
+  LockStep<ros::Time> loop_{ros::Duration(1.0)};
+  int answers_left_;
+};
+
+LiveOptions asFastAsPossible(double command_timeout) {
+  LiveOptions options;
+  options.rate = 0.0;
+  options.linger = 0.0;
+  options.command_timeout = command_timeout;
+  return options;
+}
+
+// If this fails, a radar that is steered by its tracker runs away from it, and no live run is like an offline one.
+TEST_F(RosBusTest, AStepOfAClosedLoopWaitsForTheCommandsThatItGoesBy) {
+  RosBus bus(ros::NodeHandle("/loop"));
+  LoopSource source(bus, 5);
+  runLive(bus, source, asFastAsPossible(20.0));
+  EXPECT_EQ(source.steps, 5);
+  EXPECT_EQ(source.waits_in_vain, 0);
+  EXPECT_EQ(source.in_force, (std::vector<double>{1.0, 2.0, 3.0, 4.0}));
+}
+
+// If this fails, a radar stands still because its tracker has died.
+TEST_F(RosBusTest, AClosedLoopGoesOnWithoutCommandsAfterOneWaitInVain) {
+  RosBus bus(ros::NodeHandle("/broken_loop"));
+  LoopSource source(bus, 1);
+  runLive(bus, source, asFastAsPossible(0.2));
+  EXPECT_EQ(source.steps, 5);
+  EXPECT_EQ(source.waits_in_vain, 1);
+  EXPECT_EQ(source.in_force, std::vector<double>{1.0});
 }
 
 }  // namespace

@@ -23,10 +23,11 @@ struct LiveOptions {
   std::vector<std::string>
       wait_for;                ///< Topics that must have a subscriber before the first step; named twice: two of them.
   double wait_timeout = 10.0;  ///< Go on after so much wall time [s], >= 0, with a warning that names the topics.
-  double linger = 2.0;         ///< Wall time after the end [s], >= 0, so that the last messages reach everybody.
+  double command_timeout = 1.0;  ///< How long a step may wait for the commands by which it goes [s of wall time], >= 0.
+  double linger = 2.0;           ///< Wall time after the end [s], >= 0, so that the last messages reach everybody.
 };
 
-/// Reads and checks the keys rate, duration, wait_for, wait_timeout and linger. Throws ParameterError.
+/// Reads and checks the keys rate, duration, wait_for, wait_timeout, command_timeout and linger. Throws ParameterError.
 LiveOptions readLiveOptions(const YAML::Node& tree, const std::string& where);
 
 /// Steps `source` in time with the wall clock and publishes /clock at each step and at least 50 times a second of wall

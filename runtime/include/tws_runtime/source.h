@@ -16,6 +16,11 @@ class Source {
   virtual std::optional<ros::Time> nextTime() const = 0;
   /// Publishes everything that happens at nextTime().
   virtual void step() = 0;
+  /// Whether all commands have come by which the next step goes: false only in closed loops (lock_step.h). Live, the
+  /// runtime waits for them, for so long in wall time; then it calls stopWaiting() and steps. In one process they have
+  /// come, as all that is queued is delivered between steps.
+  virtual bool isReady() const { return true; }
+  virtual void stopWaiting() {}
   /// Data time at which the source will end, for progress; nothing: unknown.
   virtual std::optional<ros::Time> endTime() const { return std::nullopt; }
 };
