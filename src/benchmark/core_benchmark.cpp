@@ -4,7 +4,7 @@
 #include <random>
 #include <vector>
 
-#include <tws_core/alpha_beta.h>
+#include <tws_core/axis_filter.h>
 #include <tws_core/geodesy.h>
 #include <tws_core/geometry.h>
 #include <tws_core/kalman.h>
@@ -49,6 +49,34 @@ void AlphaBetaUpdate(benchmark::State& state) {
   }
 }
 BENCHMARK(AlphaBetaUpdate);
+
+// The loop of whoever runs one filter over many measurements.
+template <class Filter>
+void runFilter(benchmark::State& state, const Filter& filter) {
+  const tws::AxisNoise noise{100.0, 5.0, 200.0};
+  auto track = filter.start(5e4, noise);
+  Cycle innovations(-100.0, 100.0), times(4.0, 8.0);
+  for ([[maybe_unused]] auto _ : state) {
+    filter.update(track, innovations.next(), times.next(), noise);
+    benchmark::DoNotOptimize(track);
+  }
+}
+void FixedGainUpdate(benchmark::State& state) { runFilter(state, tws::FixedGainFilter::withGains({0.5, 0.2, 0.03})); }
+void TrackingIndexUpdate(benchmark::State& state) {
+  runFilter(state, tws::FixedGainFilter::byTrackingIndex(static_cast<int>(state.range(0))));
+}
+void FixedMemoryUpdate(benchmark::State& state) {
+  runFilter(state, tws::FixedMemoryFilter(1, static_cast<int>(state.range(0))));
+}
+void AxisKalmanVelocityUpdate(benchmark::State& state) { runFilter(state, tws::AxisKalman<2>()); }
+void AxisKalmanAccelerationUpdate(benchmark::State& state) { runFilter(state, tws::AxisKalman<3>()); }
+void ChosenFilterUpdate(benchmark::State& state) { runFilter(state, tws::AxisFilter(tws::AxisFilterParams{})); }
+BENCHMARK(FixedGainUpdate);
+BENCHMARK(TrackingIndexUpdate)->Arg(1)->Arg(2);
+BENCHMARK(FixedMemoryUpdate)->Arg(4)->Arg(16);
+BENCHMARK(AxisKalmanVelocityUpdate);
+BENCHMARK(AxisKalmanAccelerationUpdate);
+BENCHMARK(ChosenFilterUpdate);
 
 void GainTableLookup(benchmark::State& state) {
   const tws::GainTable table(0.7);

@@ -1,16 +1,11 @@
 #include <tws_core/alpha_beta.h>
 
 #include <algorithm>
-#include <stdexcept>
-#include <string>
+
+#include <tws_core/axis_checks.h>
 
 namespace tws {
 namespace {
-
-void require(bool good, const char* name, double value, const char* range) {
-  if (good) return;
-  throw std::invalid_argument(std::string(name) + " is " + std::to_string(value) + "; it must be " + range);
-}
 
 double checkedDamping(const AdaptiveAlphaBetaParams& params) {
   check(params);
@@ -31,9 +26,9 @@ AlphaBetaGains gains(double omega0_T1, double damping) {
 
 GainTable::GainTable(double damping, double step, double greatest)
     : damping_(damping), entries_per_radian_(1.0 / step) {
-  require(damping > 0.0 && damping < 1.0, "damping", damping, "in (0, 1)");
-  require(step > 0.0 && step <= 1.0, "step", step, "in (0, 1]");
-  require(greatest >= step && greatest <= 100.0, "greatest", greatest, "in [step, 100]");
+  requireNumber(damping > 0.0 && damping < 1.0, "damping", damping, "in (0, 1)");
+  requireNumber(step > 0.0 && step <= 1.0, "step", step, "in (0, 1]");
+  requireNumber(greatest >= step && greatest <= 100.0, "greatest", greatest, "in [step, 100]");
   const auto entries = static_cast<std::size_t>(std::ceil(greatest / step)) + 1;
   table_.reserve(entries);
   for (std::size_t i = 0; i < entries; ++i) table_.push_back(gains(static_cast<double>(i) * step, damping));
@@ -42,12 +37,12 @@ GainTable::GainTable(double damping, double step, double greatest)
 
 void check(const AdaptiveAlphaBetaParams& params) {
   const auto positive = [](double value) { return value > 0.0 && std::isfinite(value); };
-  require(params.damping > 0.0 && params.damping < 1.0, "damping", params.damping, "in (0, 1)");
-  require(positive(params.omega_a), "omega_a", params.omega_a, "above 0 rad/s");
-  require(positive(params.omega_b), "omega_b", params.omega_b, "above 0 rad/s");
-  require(positive(params.omega_min), "omega_min", params.omega_min, "above 0 rad/s");
-  require(std::isfinite(params.omega_max) && params.omega_max >= params.omega_min, "omega_max", params.omega_max,
-          "at least omega_min");
+  requireNumber(params.damping > 0.0 && params.damping < 1.0, "damping", params.damping, "in (0, 1)");
+  requireNumber(positive(params.omega_a), "omega_a", params.omega_a, "above 0 rad/s");
+  requireNumber(positive(params.omega_b), "omega_b", params.omega_b, "above 0 rad/s");
+  requireNumber(positive(params.omega_min), "omega_min", params.omega_min, "above 0 rad/s");
+  requireNumber(std::isfinite(params.omega_max) && params.omega_max >= params.omega_min, "omega_max", params.omega_max,
+                "at least omega_min");
 }
 
 AdaptiveAlphaBeta::AdaptiveAlphaBeta(const AdaptiveAlphaBetaParams& params)
@@ -67,14 +62,14 @@ void AdaptiveAlphaBeta::adapt(AlphaBetaState& state, double innovation, double T
 }
 
 void AdaptiveAlphaBeta::update(AlphaBetaState& state, double innovation, double T1) const {
-  require(T1 >= 0.0 && std::isfinite(T1), "T1", T1, "a time of at least 0 s");
-  require(std::isfinite(innovation), "innovation", innovation, "finite");
+  requireNumber(T1 >= 0.0 && std::isfinite(T1), "T1", T1, "a time of at least 0 s");
+  requireNumber(std::isfinite(innovation), "innovation", innovation, "finite");
   const double predicted = predict(state, T1);
   adapt(state, innovation, T1);
   if (T1 == 0.0) return;
   const AlphaBetaGains gain = table_.lookup(state.omega0 * T1);
-  state.position = predicted + gain.alpha * innovation;  // (1a)
-  state.velocity += gain.beta / T1 * innovation;         // (1b), read as β/T₁
+  state.position = predicted;
+  correct(state, {gain.alpha, gain.beta, 0.0}, innovation, T1);  // (1a); (1b), read as β/T₁
 }
 
 }  // namespace tws

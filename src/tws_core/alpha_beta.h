@@ -4,7 +4,7 @@
 #include <limits>
 #include <vector>
 
-#include <tws_core/quantisation.h>
+#include <tws_core/axis_motion.h>
 
 namespace tws {
 
@@ -48,7 +48,7 @@ struct AdaptiveAlphaBetaParams {
 /// Throws std::invalid_argument that names the first parameter out of range, its value and the range.
 void check(const AdaptiveAlphaBetaParams& params);
 
-/// One coordinate of one track: range in metres or azimuth in radians.
+/// One coordinate of one track: range in metres or azimuth in radians. (axis_filter.h has the other filters.)
 struct AlphaBetaState {
   double position = 0.0;                                         // x_s
   double velocity = 0.0;                                         // v_s, per second
@@ -78,6 +78,14 @@ class AdaptiveAlphaBeta {
   /// azimuth the caller wraps it, and the position afterwards. T1 = 0 changes neither position nor velocity. Throws
   /// std::invalid_argument, and changes nothing, when T1 is negative or either number is not finite.
   void update(AlphaBetaState& state, double innovation, double T1) const;
+
+  // The shape of all axis filters, see axis_filter.h. The filter finds out by itself how large errors are.
+  using State = AlphaBetaState;
+  AlphaBetaState start(double position, const AxisNoise& /*noise*/) const { return start(position); }
+  static AxisMotion motion(const AlphaBetaState& state) { return {state.position, state.velocity, 0.0}; }
+  void update(AlphaBetaState& state, double innovation, double dt, const AxisNoise& /*noise*/) const {
+    update(state, innovation, dt);
+  }
 
   const AdaptiveAlphaBetaParams& params() const { return params_; }
 
