@@ -13,9 +13,10 @@ namespace tws_launch {
 ProgressNode::ProgressNode(tws_runtime::Bus& bus, std::ostream& out) : out_(out) {
   tws_runtime::ParameterReader reader(bus.parameters(), bus.name());
   std::vector<std::string> radars;
-  std::vector<std::string> trackers;
+  std::vector<std::string> trackers, correlators;
   reader.texts("radars", radars);
   reader.texts("trackers", trackers);
+  reader.texts("correlators", correlators);
   reader.number("length", length_, 0.0, std::numeric_limits<double>::max());
   reader.done();
   for (const std::string& radar : radars) listen<tws_msgs::Detections>(bus, "/" + radar + "/detections");
@@ -23,6 +24,8 @@ ProgressNode::ProgressNode(tws_runtime::Bus& bus, std::ostream& out) : out_(out)
     listen<tws_msgs::Tracks>(bus, "/" + tracker + "/tracks");
     listen<tws_msgs::ClutterMap>(bus, "/" + tracker + "/clutter_map");
   }
+  for (const std::string& correlator : correlators)
+    listen<tws_msgs::CorrelatedTracks>(bus, "/" + correlator + "/tracks");
   constexpr double kPeriod = 5.0;
   bus.everyWall(kPeriod, [this] { say(0.0); });
 }

@@ -39,6 +39,7 @@ void readScenario(RunInput& input, std::optional<double> duration) {
   std::sort(input.radars.begin(), input.radars.end());
   input.secondary_radars = simulator.secondaryRadars();
   std::sort(input.secondary_radars.begin(), input.secondary_radars.end());
+  input.feeds_tracks = simulator.feedsTracks();
   input.length = simulator.duration();
 }
 
@@ -48,6 +49,7 @@ void readBag(RunInput& input, std::optional<double> duration) try {
   input.radars = firstParts(view);
   rosbag::View plots(bag, rosbag::TypeQuery(ros::message_traits::datatype<tws_msgs::SsrPlots>()));
   input.secondary_radars = firstParts(plots);
+  input.feeds_tracks = rosbag::View(bag, rosbag::TopicQuery("/primary/tracks")).size() > 0;
   if (view.size() > 0) input.length = (view.getEndTime() - view.getBeginTime()).toSec();
   input.length = std::min(input.length, duration.value_or(input.length));
 } catch (const std::exception& error) {

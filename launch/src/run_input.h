@@ -13,6 +13,7 @@ struct RunInput {
   bool is_recording = false;        ///< Of ASTERIX.
   std::vector<std::string> radars;  ///< Names of the rotating radars, by name; of a recording only the busiest one.
   std::vector<std::string> secondary_radars;  ///< Of a scenario or bag, by name.
+  bool feeds_tracks = false;                  ///< Primary and secondary tracks come with it, in place of trackers.
   double length = 0.0;                        ///< Data time from start to end [s].
 };
 

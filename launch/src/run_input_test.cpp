@@ -4,6 +4,7 @@
 #include <rosbag/bag.h>
 #include <tws_msgs/Detections.h>
 #include <tws_msgs/SsrPlots.h>
+#include <tws_msgs/Tracks.h>
 
 #include "temporary_folder_test_helpers.h"
 
@@ -41,6 +42,19 @@ TEST(RunInput, NamesTheSecondaryRadarsOfAScenarioAndOfABag) {
   bag.write("/ssr/plots", ros::Time(100.0), tws_msgs::SsrPlots());
   bag.close();
   EXPECT_EQ(inspectInput(folder.file("run.bag")).secondary_radars, (std::vector<std::string>{"ssr"}));
+}
+
+// If this fails, trackers run beside tracks that are fed in their place, or nobody correlates them.
+TEST(RunInput, SaysWhetherAScenarioOrABagFeedsTracks) {
+  const TemporaryFolder folder;
+  EXPECT_FALSE(inspectInput(folder.write("plots.yaml", "radars: [{name: a}]\n")).feeds_tracks);
+  EXPECT_TRUE(
+      inspectInput(folder.write("fed.yaml", "radars: [{name: a}]\ntrack_feed: {clock_radar: a}\n")).feeds_tracks);
+  rosbag::Bag bag(folder.file("run.bag"), rosbag::bagmode::Write);
+  bag.write("/a/detections", ros::Time(100.0), tws_msgs::Detections());
+  bag.write("/primary/tracks", ros::Time(100.0), tws_msgs::Tracks());
+  bag.close();
+  EXPECT_TRUE(inspectInput(folder.file("run.bag")).feeds_tracks);
 }
 
 // If this fails, the progress shown knows no end.

@@ -43,7 +43,8 @@ RunSummary RunSummary::ofBag(const std::string& path) {
     const rosbag::Bag bag(path);
     for (const rosbag::MessageInstance& instance : rosbag::View(bag))
       addAs<tws_msgs::Detections>(summary, instance) || addAs<tws_msgs::Tracks>(summary, instance) ||
-          addAs<tws_msgs::ClutterMap>(summary, instance) || addAs<diagnostic_msgs::DiagnosticArray>(summary, instance);
+          addAs<tws_msgs::CorrelatedTracks>(summary, instance) || addAs<tws_msgs::ClutterMap>(summary, instance) ||
+          addAs<diagnostic_msgs::DiagnosticArray>(summary, instance);
   } catch (const rosbag::BagException& error) {
     throw std::runtime_error(path + ": " + error.what());
   }
@@ -63,6 +64,15 @@ void RunSummary::add(const tws_msgs::Tracks& message) {
   for (const Track& track : message.tracks) {
     tracker.last_state[track.uid] = track.state;
     if (track.state == Track::FIRM) tracker.became_firm.insert(track.uid);
+  }
+}
+
+void RunSummary::add(const tws_msgs::CorrelatedTracks& message) {
+  if (!correlator_) correlator_.emplace();
+  for (const tws_msgs::CorrelatedTrack& track : message.tracks) {
+    correlator_->tracks.last_state[track.identity] = track.track.state;
+    correlator_->kind[track.identity] = track.kind;
+    if (track.track.state == Track::DROPPED) correlator_->kind.erase(track.identity);
   }
 }
 
@@ -88,10 +98,13 @@ std::uint64_t RunSummary::plots() const {
 }
 
 std::size_t RunSummary::livingTracks() const {
+  if (correlator_) return correlator_->tracks.living();
   std::size_t living = 0;
-  for (const auto& [name, tracker] : trackers_) living += tracker.last_state.size() - tracker.count(Track::DROPPED);
+  for (const auto& [name, tracker] : trackers_) living += tracker.living();
   return living;
 }
+
+std::size_t RunSummary::Tracker::living() const { return last_state.size() - count(Track::DROPPED); }
 
 std::size_t RunSummary::Tracker::count(std::uint8_t state) const {
   return std::count_if(last_state.begin(), last_state.end(), [&](const auto& entry) { return entry.second == state; });
@@ -104,6 +117,7 @@ void RunSummary::print(std::ostream& out, const std::vector<tws_runtime::Counter
   out << '\n';
   printRadars(out);
   printTrackers(out);
+  printCorrelator(out);
   std::vector<tws_runtime::CounterReading> counted;
   std::copy_if(counters.begin(), counters.end(), std::back_inserter(counted),
                [](const auto& c) { return c.value > 0; });
@@ -125,6 +139,18 @@ void RunSummary::printTrackers(std::ostream& out) const {
     printRow(out, name, tracker.last_state.size(), tracker.became_firm.size(), tracker.count(Track::DROPPED), "",
              tracker.count(Track::FIRM), tracker.count(Track::COASTING), tracker.count(Track::TENTATIVE),
              tracker.clutter_points);
+}
+
+void RunSummary::printCorrelator(std::ostream& out) const {
+  if (!correlator_) return;
+  const auto of = [&](std::uint8_t kind) {
+    return std::count_if(correlator_->kind.begin(), correlator_->kind.end(),
+                         [&](const auto& entry) { return entry.second == kind; });
+  };
+  using tws_msgs::CorrelatedTrack;
+  printRow(out, "correlator", "identities", "ended", "at the end:", "correlated", "primary", "secondary");
+  printRow(out, "correlated", correlator_->tracks.last_state.size(), correlator_->tracks.count(Track::DROPPED), "",
+           of(CorrelatedTrack::CORRELATED), of(CorrelatedTrack::PRIMARY_ONLY), of(CorrelatedTrack::SECONDARY_ONLY));
 }
 
 std::vector<tws_runtime::CounterReading> RunSummary::counters() const {

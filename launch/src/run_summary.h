@@ -3,6 +3,7 @@
 #include <diagnostic_msgs/DiagnosticArray.h>
 #include <ros/time.h>
 #include <tws_msgs/ClutterMap.h>
+#include <tws_msgs/CorrelatedTracks.h>
 #include <tws_msgs/Detections.h>
 #include <tws_msgs/Tracks.h>
 #include <tws_runtime/counters.h>
@@ -25,6 +26,7 @@ class RunSummary {
 
   void add(const tws_msgs::Detections& message);
   void add(const tws_msgs::Tracks& message);
+  void add(const tws_msgs::CorrelatedTracks& message);
   void add(const tws_msgs::ClutterMap& message);
   /// The counters of the nodes, as their diagnostics say them; the last word of each counts.
   void add(const diagnostic_msgs::DiagnosticArray& message);
@@ -32,7 +34,7 @@ class RunSummary {
   /// Data time from the first sensor message to the last [s]; 0 without any.
   double simulatedTime() const;
   std::uint64_t plots() const;
-  /// Tracks that have not been dropped.
+  /// Tracks that have not been dropped: those of the correlator where there is one, else of all trackers.
   std::size_t livingTracks() const;
   /// The counters as the diagnostics said them.
   std::vector<tws_runtime::CounterReading> counters() const;
@@ -50,15 +52,22 @@ class RunSummary {
     std::set<std::uint32_t> became_firm;
     std::size_t clutter_points = 0;
     std::size_t count(std::uint8_t state) const;
+    std::size_t living() const;
+  };
+  struct Correlator {
+    Tracker tracks;                              ///< By the correlator's own identities.
+    std::map<std::uint32_t, std::uint8_t> kind;  ///< Of each living one.
   };
 
   void printRadars(std::ostream& out) const;
   void printTrackers(std::ostream& out) const;
+  void printCorrelator(std::ostream& out) const;
 
   ros::Time first_;
   ros::Time last_;
   std::map<std::string, Radar> radars_;
   std::map<std::string, Tracker> trackers_;
+  std::optional<Correlator> correlator_;
   std::map<std::string, std::map<std::string, std::uint64_t>> counters_;
 };
 

@@ -123,5 +123,28 @@ TEST(RunSummary, NamesTheFileThatIsNoBag) {
   }
 }
 
+TEST(RunSummary, OfACorrelatorCountsIdentitiesAndWhatTheLivingOnesAre) {
+  using tws_msgs::CorrelatedTrack;
+  RunSummary summary;
+  tws_msgs::CorrelatedTracks message;
+  const auto say = [&](std::uint32_t identity, std::uint8_t kind, std::uint8_t state) {
+    message.tracks.emplace_back();
+    message.tracks.back().identity = identity;
+    message.tracks.back().kind = kind;
+    message.tracks.back().track.state = state;
+  };
+  say(1, CorrelatedTrack::PRIMARY_ONLY, Track::FIRM);
+  say(2, CorrelatedTrack::SECONDARY_ONLY, Track::FIRM);
+  say(3, CorrelatedTrack::SECONDARY_ONLY, Track::FIRM);
+  summary.add(message);
+  message.tracks.clear();
+  say(2, CorrelatedTrack::SECONDARY_ONLY, Track::DROPPED);
+  say(1, CorrelatedTrack::CORRELATED, Track::FIRM);
+  summary.add(message);
+  summary.add(tracks({{7, Track::FIRM}, {8, Track::FIRM}, {9, Track::FIRM}}));
+  EXPECT_EQ(summary.livingTracks(), 2U);  // One aircraft is two tracks and one identity.
+  EXPECT_EQ(row(printed(summary), "correlated"), (std::vector<double>{3, 1, 1, 0, 1}));
+}
+
 }  // namespace
 }  // namespace tws_launch

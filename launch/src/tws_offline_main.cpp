@@ -20,6 +20,7 @@ struct Options {
   std::string input;
   std::string out = ".";
   std::string params = "default";
+  std::string correlator;
   std::optional<std::int64_t> seed;
   std::optional<double> duration;
 };
@@ -45,6 +46,9 @@ std::vector<tws_launch::NodeDescription> describe(const Options& options, const 
                                      "rviz:=false", "length:=" + std::to_string(input.length),
                                      argument + ":=" + input.path};
   if (!input.is_recording) arguments.push_back("secondary_radars:=" + tws_launch::joined(input.secondary_radars));
+  if (input.feeds_tracks) arguments.emplace_back("fed:=true");
+  if (!options.correlator.empty())
+    arguments.push_back("correlator:=" + std::filesystem::absolute(options.correlator).string());
   if (options.seed) arguments.push_back("seed:=" + std::to_string(*options.seed));
   return tws_launch::describeGraph(launch_file, arguments);
 }
@@ -84,6 +88,8 @@ int main(int argc, char** argv) {
     app.add_option("--out", options.out, "folder for run.bag");
     app.add_option("--params", options.params,
                    "parameter set of the ADIT tracker: default, nrl7952 or the path of a file");
+    app.add_option("--correlator", options.correlator, "parameters of the correlator, in place of its own file")
+        ->check(CLI::ExistingFile);
     app.add_option("--seed", options.seed, "of the random numbers, in place of the scenario's")->check(seedProblem);
     tws_runtime::addDuration(app, options.duration);
     if (const auto status = tws_runtime::parseCommandLine(app, argc, argv)) return *status;

@@ -9,6 +9,8 @@
 #include "conversions.h"
 #include "scenario.h"
 #include "simulation.h"
+#include "track_feed.h"
+#include "track_feed_messages.h"
 
 namespace radar_sim {
 namespace {
@@ -50,6 +52,7 @@ RadarSimNode::RadarSimNode(tws_runtime::Bus& bus)
     : scenario_(std::make_unique<Scenario>(readParameters(bus))),
       simulation_(makeSimulation(*scenario_, bus.parameters()["scenario"].as<std::string>())) {
   advertise(bus);
+  advertiseFeeds(bus);
 }
 
 RadarSimNode::~RadarSimNode() = default;
@@ -68,6 +71,17 @@ void RadarSimNode::advertise(tws_runtime::Bus& bus) {
   }
 }
 
+void RadarSimNode::advertiseFeeds(tws_runtime::Bus& bus) {
+  if (!feedsTracks()) return;
+  for (const RadarParams& radar : scenario_->radars) {
+    if (radar.name != scenario_->track_feed->clock_radar) continue;
+    for (const FeedKind kind : {FeedKind::kPrimary, FeedKind::kSecondary})
+      feeds_.push_back({std::make_unique<TrackFeed>(kind, *scenario_->track_feed, mapToRadar(*scenario_, radar),
+                                                    simulation_->targets(), scenario_->seed),
+                        bus.advertise<tws_msgs::Tracks>("/" + nameOf(kind) + "/tracks")});
+  }
+}
+
 std::optional<ros::Time> RadarSimNode::nextTime() const {
   const std::optional<double> time = simulation_->nextTime();
   return time ? std::optional<ros::Time>(tws_runtime::toTime(*time)) : std::nullopt;
@@ -79,6 +93,8 @@ std::vector<std::string> RadarSimNode::radars() const { return namesOf(scenario_
 
 std::vector<std::string> RadarSimNode::secondaryRadars() const { return namesOf(scenario_->secondary_radars); }
 
+bool RadarSimNode::feedsTracks() const { return scenario_->track_feed.has_value(); }
+
 double RadarSimNode::duration() const { return scenario_->duration; }
 
 void RadarSimNode::step() {
@@ -88,7 +104,19 @@ void RadarSimNode::step() {
 void RadarSimNode::publish(const SectorReport& report) {
   const std::string& radar = simulation_->radars()[report.radar].params().name;
   radar_topics_[report.radar].detections.publish(tws_runtime::toDetections(report.sector, radar, radar));
+  feedTracks(report);
   radar_topics_[report.radar].marks.publish(toSectorMark(report, *simulation_));
+}
+
+void RadarSimNode::feedTracks(const SectorReport& report) {
+  const RadarParams& radar = simulation_->radars()[report.radar].params();
+  for (Feed& feed : feeds_) {
+    if (radar.name != feed.tracks->params().clock_radar) continue;
+    tws_msgs::Tracks message = toTracks(*feed.tracks, feed.tracks->tracksOf(report.sector), report.sector,
+                                        simulation_->targets(), radar.antenna_height);
+    message.sequence = feed.sequence++;
+    feed.topic.publish(message);
+  }
 }
 
 void RadarSimNode::publish(const SecondarySectorReport& report) {

@@ -13,6 +13,7 @@
 #include "random_group.h"
 #include "secondary_params.h"
 #include "target.h"
+#include "track_feed.h"
 
 namespace radar_sim {
 
@@ -34,6 +35,7 @@ struct Scenario {
   std::vector<Target> targets;  ///< Those that are given one by one.
   std::vector<RandomGroup> groups;
   std::vector<Fault> faults;
+  std::optional<TrackFeedParams> track_feed;  ///< Without it nobody but trackers tells tracks.
 
   double endTime() const { return start_time + duration; }
 };

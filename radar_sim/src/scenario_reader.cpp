@@ -119,6 +119,20 @@ Fault readFault(ParameterReader& reader, const Scenario& scenario) {
   return fault;
 }
 
+void readTrackFeed(ParameterReader& reader, Scenario& scenario) {
+  if (!reader.has("track_feed")) return;
+  ParameterReader entry = reader.map("track_feed");
+  TrackFeedParams feed;
+  std::vector<std::string> radars;
+  for (const RadarParams& radar : scenario.radars) radars.push_back(radar.name);
+  entry.require("clock_radar");
+  entry.choice("clock_radar", feed.clock_radar, radars);
+  entry.number("position_sigma_m", feed.position_sigma, 0.0, 1e4);
+  entry.number("velocity_sigma_mps", feed.velocity_sigma, 0.0, 1e3);
+  entry.done();
+  scenario.track_feed = feed;
+}
+
 std::string folderOf(const std::string& path) {
   const std::size_t slash = path.rfind('/');
   return slash == std::string::npos ? "" : path.substr(0, slash + 1);
@@ -135,6 +149,7 @@ Scenario loadScenario(const std::string& path, const ScenarioOverrides& override
   readRadars(reader, scenario);
   readTargets(reader, context, scenario);
   for (ParameterReader& entry : reader.list("faults")) scenario.faults.push_back(readFault(entry, scenario));
+  readTrackFeed(reader, scenario);
   reader.done();
   scenario.seed = overrides.seed.value_or(scenario.seed);
   scenario.duration = overrides.duration.value_or(scenario.duration);

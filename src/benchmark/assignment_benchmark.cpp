@@ -1,10 +1,13 @@
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
+#include <cmath>
 #include <random>
 #include <vector>
 
 #include <tws_core/assignment.h>
+
+#include "classic_solvers.h"
 
 namespace {
 
@@ -26,6 +29,31 @@ void AssignmentSquare(benchmark::State& state) {
   for (auto _ : state) benchmark::DoNotOptimize(solver.solve(costs, n, n));
 }
 BENCHMARK(AssignmentSquare)->Arg(3)->Arg(5)->Arg(10)->Arg(50)->Arg(100)->Arg(300)->Arg(1000);
+
+/// Refuses to compare with a solver that is wrong.
+void compare(benchmark::State& state, double classic, const std::vector<double>& costs, std::size_t n) {
+  tws::AssignmentSolver solver;
+  solver.solve(costs, n, n);
+  if (std::abs(solver.cost() - classic) > 1e-9) state.SkipWithError("the two solvers do not agree");
+}
+
+// The paper's figure 10 compares these two for 3, 5 and 10 tracks.
+void AssignmentClassicMunkres(benchmark::State& state) {
+  const auto n = static_cast<std::size_t>(state.range(0));
+  const std::vector<double> costs = dense(n * n);
+  classic::Munkres munkres;
+  compare(state, munkres.solve(costs, n), costs, n);
+  for (auto _ : state) benchmark::DoNotOptimize(munkres.solve(costs, n));
+}
+BENCHMARK(AssignmentClassicMunkres)->Arg(3)->Arg(5)->Arg(10)->Arg(50)->Arg(100)->Arg(300)->Arg(1000);
+
+void AssignmentBruteForce(benchmark::State& state) {
+  const auto n = static_cast<std::size_t>(state.range(0));
+  const std::vector<double> costs = dense(n * n);
+  compare(state, classic::bruteForce(costs, n), costs, n);
+  for (auto _ : state) benchmark::DoNotOptimize(classic::bruteForce(costs, n));
+}
+BENCHMARK(AssignmentBruteForce)->Arg(3)->Arg(5)->Arg(10);
 
 void AssignmentRectangle(benchmark::State& state) {
   const auto n = static_cast<std::size_t>(state.range(0));

@@ -2,6 +2,7 @@
 
 #include <rosbag/bag.h>
 #include <rosbag/view.h>
+#include <tws_msgs/CorrelatedTracks.h>
 #include <tws_msgs/Detections.h>
 #include <tws_msgs/SsrPlots.h>
 #include <tws_msgs/Tracks.h>
@@ -36,6 +37,7 @@ BagContents inspect(const std::string& path) {
   if (rosbag::View(bag).size() == 0) throw std::runtime_error(path + ": is empty");
   BagContents contents;
   contents.trackers = namesOf<tws_msgs::Tracks>(bag, "tracks");
+  contents.correlators = namesOf<tws_msgs::CorrelatedTracks>(bag, "tracks");
   contents.radars = namesOf<tws_msgs::Detections>(bag, "detections");
   contents.secondary_radars = namesOf<tws_msgs::SsrPlots>(bag, "plots");
   contents.truth = holds(bag, "/truth");
@@ -48,6 +50,7 @@ BagContents inspect(const std::string& path) {
 std::vector<std::string> BagContents::topics() const {
   std::vector<std::string> topics;
   for (const std::string& name : trackers) topics.push_back("/" + name + "/tracks");
+  for (const std::string& name : correlators) topics.push_back("/" + name + "/tracks");
   for (const std::string& name : radars) topics.push_back("/" + name + "/detections");
   for (const std::string& name : secondary_radars) topics.push_back("/" + name + "/plots");
   if (truth) topics.emplace_back("/truth");

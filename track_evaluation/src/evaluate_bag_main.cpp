@@ -7,6 +7,7 @@
 #include <tws_runtime/run.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <fstream>
 #include <iostream>
 
@@ -37,6 +38,7 @@ YAML::Node parametersFor(const Options& options, const BagContents& contents) {
       options.requirements.empty() ? packagePath() + "/config/requirements.yaml" : options.requirements;
   YAML::Node found;
   found["trackers"] = contents.trackers;
+  found["correlators"] = contents.correlators;
   found["radars"] = contents.radars;
   found["secondary_radars"] = contents.secondary_radars;
   const YAML::Node files =
@@ -58,9 +60,20 @@ void open(std::ofstream& file, const std::string& path) {
   if (!file) throw std::runtime_error(path + ": cannot be written");
 }
 
+/// Of the correlators those that are named, too; what else is named must be a tracker.
+void choose(const std::vector<std::string>& names, BagContents& contents) {
+  const std::vector<std::string> known = std::move(contents.correlators);
+  contents.trackers.clear();
+  contents.correlators.clear();
+  for (const std::string& name : names) {
+    const bool correlates = std::find(known.begin(), known.end(), name) != known.end();
+    (correlates ? contents.correlators : contents.trackers).push_back(name);
+  }
+}
+
 void run(const Options& options) {
   BagContents contents = inspectBag(options.bag);
-  if (!options.trackers.empty()) contents.trackers = options.trackers;
+  if (!options.trackers.empty()) choose(options.trackers, contents);
   tws_runtime::LocalGraph graph(std::cerr);
   EvaluationNode node(graph.addNode("evaluation", parametersFor(options, contents)));
   std::ofstream json, series, picture;

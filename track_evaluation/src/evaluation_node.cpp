@@ -1,6 +1,7 @@
 #include <track_evaluation/evaluation_node.h>
 
 #include <tws_core/geometry.h>
+#include <tws_msgs/CorrelatedTracks.h>
 #include <tws_msgs/Detections.h>
 #include <tws_msgs/EvaluationSummary.h>
 #include <tws_msgs/SsrPlots.h>
@@ -31,6 +32,8 @@ class EvaluationNode::Impl {
     begin();
     listen<tws_msgs::Truth>("/truth");
     for (const std::string& tracker : params_.trackers) listen<tws_msgs::Tracks>("/" + tracker + "/tracks");
+    for (const std::string& correlator : params_.correlators)
+      listen<tws_msgs::CorrelatedTracks>("/" + correlator + "/tracks");
     for (const std::string& radar : params_.radars) listen<tws_msgs::Detections>("/" + radar + "/detections");
     for (const std::string& radar : params_.secondary_radars) listen<tws_msgs::SsrPlots>("/" + radar + "/plots");
     bus.everyData(params_.period, [this](ros::Time now) { publish(now); });
@@ -57,6 +60,7 @@ class EvaluationNode::Impl {
         its.requirements = evaluator->requirements();
       }
       if (!tracker.identity.empty()) its.identity = tracker.identity.report();
+      if (!tracker.correlation.empty()) its.correlation = tracker.correlation.report();
       its.timing = tracker.timing.report();
       score.trackers.push_back(std::move(its));
     }
@@ -81,7 +85,9 @@ class EvaluationNode::Impl {
 
   void begin() {
     trackers_.clear();
-    for (const std::string& name : params_.trackers) {
+    std::vector<std::string> names = params_.trackers;
+    names.insert(names.end(), params_.correlators.begin(), params_.correlators.end());
+    for (const std::string& name : names) {
       trackers_.try_emplace(
           name, params_, [this](const std::string& radar, const std::string& frame) { return site(radar, frame); },
           [this, name = name](const Epoch& epoch, const Evaluator& evaluator) { files.add(name, epoch, evaluator); },
@@ -123,7 +129,15 @@ class EvaluationNode::Impl {
       if (!tracker.add(message)) bus_.counter("late truth").add(topic + " came after tracks of later times");
   }
 
-  void take(const std::string& topic, const tws_msgs::Tracks& message) {
+  void take(const std::string& topic, const tws_msgs::CorrelatedTracks& message) {
+    takeTracks(topic, message, tracksOf(message));
+  }
+
+  void take(const std::string& topic, const tws_msgs::Tracks& message) { takeTracks(topic, message, message); }
+
+  /// `tracks`: those of the message.
+  template <class M>
+  void takeTracks(const std::string& topic, const M& heard, const tws_msgs::Tracks& message) {
     for (const tws_msgs::Track& track : message.tracks) {
       const std::string fault = faultOf(track);
       if (!fault.empty())
@@ -134,7 +148,7 @@ class EvaluationNode::Impl {
     TrackerEvaluation& tracker = trackers_.at(topic.substr(1, topic.rfind('/') - 1));
     tracker.timing.addTracks(message.radar, toSeconds(bus_.now()), toSeconds(message.header.stamp),
                              message.tracks.size());
-    if (!tracker.add(message))
+    if (!tracker.add(heard))
       bus_.counter("late tracks")
           .add(topic + " came more than " + std::to_string(params_.skew_limit) + " s after the truth");
   }
@@ -173,6 +187,7 @@ class EvaluationNode::Impl {
     for (const TrackerScore& score : score().trackers) {
       MetricList metrics = score.metrics;
       metrics.insert(metrics.end(), score.identity.begin(), score.identity.end());
+      metrics.insert(metrics.end(), score.correlation.begin(), score.correlation.end());
       if (!metrics.empty()) summary_.publish(message(score.tracker, now, metrics));
       timing_.publish(message(score.tracker, now, score.timing));
     }

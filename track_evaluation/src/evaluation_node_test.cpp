@@ -1,6 +1,7 @@
 #include <track_evaluation/evaluation_node.h>
 
 #include <gtest/gtest.h>
+#include <tws_msgs/CorrelatedTracks.h>
 #include <tws_msgs/EvaluationSummary.h>
 #include <tws_msgs/SsrPlots.h>
 #include <tws_runtime/local_graph.h>
@@ -18,10 +19,12 @@ namespace {
 /// The node in a graph with somebody who publishes truth and tracks.
 class Graph {
  public:
-  explicit Graph(const std::string& parameters = "{trackers: [adit], secondary_radars: [ssr], from_s: 0}")
+  explicit Graph(const std::string& parameters =
+                     "{trackers: [adit], correlators: [correlated], secondary_radars: [ssr], from_s: 0}")
       : node(graph.addNode("evaluation", YAML::Load(parameters))), other_(graph.addNode("other")) {
     truth_ = other_.advertise<tws_msgs::Truth>("/truth");
     tracks_ = other_.advertise<tws_msgs::Tracks>("/adit/tracks");
+    correlated_ = other_.advertise<tws_msgs::CorrelatedTracks>("/correlated/tracks");
     plots_ = other_.advertise<tws_msgs::SsrPlots>("/ssr/plots");
     geometry_msgs::TransformStamped site;
     site.header.frame_id = "map";
@@ -41,11 +44,25 @@ class Graph {
     plots_.publish(message);
     graph.drain();
   }
-  YAML::Node score() {
+  /// A correlated track under this identity, where the track stands.
+  void correlated(double time, std::uint32_t identity, tws_msgs::Track track, std::uint16_t mode_3a) {
+    tws_msgs::CorrelatedTracks message;
+    message.header.stamp = ros::Time(time);
+    message.header.frame_id = "map";
+    message.radar = "a";
+    message.tracks.resize(1);
+    message.tracks[0].identity = identity;
+    message.tracks[0].kind = tws_msgs::CorrelatedTrack::CORRELATED;
+    message.tracks[0].track = std::move(track);
+    message.tracks[0].track.mode_3a = mode_3a;
+    correlated_.publish(message);
+    graph.drain();
+  }
+  YAML::Node score(const std::string& tracker = "adit") {
     node.finish();
     std::ostringstream out;
     node.writeJson(out, "test");
-    return YAML::Load(out.str())["trackers"]["adit"];
+    return YAML::Load(out.str())["trackers"][tracker];
   }
   std::uint64_t counted(const std::string& name) const {
     for (const auto& reading : graph.counters())
@@ -61,6 +78,7 @@ class Graph {
   tws_runtime::Bus& other_;
   tws_runtime::Publisher<tws_msgs::Truth> truth_;
   tws_runtime::Publisher<tws_msgs::Tracks> tracks_;
+  tws_runtime::Publisher<tws_msgs::CorrelatedTracks> correlated_;
   tws_runtime::Publisher<tws_msgs::SsrPlots> plots_;
 };
 
@@ -70,6 +88,28 @@ TEST(EvaluationNode, ComparesATrackWithoutHeightInSlantRangeAndAzimuth) {
   graph.tracks(1.0, {firmTrack(5, 1.0, 5000, 0)});
   graph.truth(1.0, {aircraft(1, 3000, 0, 4000)});
   EXPECT_NEAR(graph.score()["metrics"]["rms_pos_m"].as<double>(), 0.0, 1e-9);
+}
+
+// If this fails, a picture that swaps codes or identities looks as good as one that does not.
+TEST(EvaluationNode, OfACorrelatorCountsChangesOfIdentityAndWrongCodes) {
+  Graph graph;
+  auto target = aircraft(1, 5000, 0);
+  target.mode_3a = 04101;
+  for (const auto& [time, identity, code] : {std::tuple(1.0, 7u, 04101), {2.0, 7u, 04102}, {3.0, 8u, 04101}}) {
+    graph.correlated(time, identity, firmTrack(99, time, 5000, 0), static_cast<std::uint16_t>(code));
+    if (identity == 8u) {
+      auto last = firmTrack(99, time, 5000, 0);
+      last.state = tws_msgs::Track::DROPPED;
+      graph.correlated(time, 7, last, 04101);
+    }
+    graph.truth(time, {target});
+  }
+  const YAML::Node score = graph.score("correlated");
+  EXPECT_EQ(score["metrics"]["swaps"].as<int>(), 1);
+  EXPECT_EQ(score["correlation"]["words_correlated"].as<int>(), 3);
+  EXPECT_EQ(score["correlation"]["judged_words"].as<int>(), 3);
+  EXPECT_EQ(score["correlation"]["miscorrelations"].as<int>(), 1);
+  EXPECT_FALSE(graph.score()["correlation"]);
 }
 
 // If this fails, the same run scores differently live and offline.

@@ -2,6 +2,8 @@
 
 #include <tws_runtime/parameters.h>
 
+#include <algorithm>
+
 #include "requirements_reader.h"
 
 namespace track_evaluation {
@@ -42,6 +44,10 @@ EvaluationParams readEvaluationParams(const tws_runtime::Bus& bus) {
   params.evaluator.cutoff = 3000.0;
   params.evaluator.from = 30.0;
   reader.texts("trackers", params.trackers);
+  reader.texts("correlators", params.correlators);
+  for (const std::string& name : params.correlators)
+    if (std::count(params.trackers.begin(), params.trackers.end(), name) > 0)
+      reader.fail("correlators", "'" + name + "' is one of the trackers");
   reader.texts("radars", params.radars);
   reader.texts("secondary_radars", params.secondary_radars);
   reader.number("cutoff_m", params.evaluator.cutoff, 1e-3, 1e7);

@@ -94,8 +94,9 @@ void writeJson(std::ostream& out, const RunScore& score) {
   for (const TrackerScore& tracker : score.trackers) {
     out << separator << quoted(tracker.tracker) << ": {\n      \"metrics\": " << object(tracker.metrics, "      ")
         << ",\n      \"identity\": " << object(tracker.identity, "      ")
-        << ",\n      \"timing\": " << object(tracker.timing, "      ")
-        << ",\n      \"requirements\": " << requirementList(tracker.requirements) << "\n    }";
+        << ",\n      \"timing\": " << object(tracker.timing, "      ");
+    if (!tracker.correlation.empty()) out << ",\n      \"correlation\": " << object(tracker.correlation, "      ");
+    out << ",\n      \"requirements\": " << requirementList(tracker.requirements) << "\n    }";
     separator = ",\n    ";
   }
   out << (score.trackers.empty() ? "}" : "\n  }") << "\n}\n";
@@ -105,7 +106,8 @@ void writeTable(std::ostream& out, const RunScore& score) {
   out << std::left << std::setw(kName) << "evaluation" << std::right;
   for (const TrackerScore& tracker : score.trackers) out << std::setw(kColumn) << tracker.tracker;
   out << '\n';
-  for (const Part part : {&TrackerScore::metrics, &TrackerScore::identity, &TrackerScore::timing})
+  for (const Part part :
+       {&TrackerScore::metrics, &TrackerScore::identity, &TrackerScore::correlation, &TrackerScore::timing})
     writePart(out, score, part);
   for (const TrackerScore& tracker : score.trackers) {
     for (const RequirementRow& row : tracker.requirements) {

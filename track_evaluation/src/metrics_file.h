@@ -17,6 +17,7 @@ struct TrackerScore {
   MetricList identity;  ///< By identity; empty without.
   MetricList timing;    ///< Empty: not measured.
   std::vector<RequirementRow> requirements;
+  MetricList correlation = {};  ///< Of a correlator; empty for any other tracker.
 };
 
 /// What a run is scored by, and the scores.

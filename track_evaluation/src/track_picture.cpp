@@ -45,6 +45,19 @@ std::string faultOf(const Track& track) {
   return "";
 }
 
+tws_msgs::Tracks tracksOf(const tws_msgs::CorrelatedTracks& message) {
+  tws_msgs::Tracks tracks;
+  tracks.header = message.header;
+  tracks.radar = message.radar;
+  tracks.sector = message.sector;
+  tracks.running_sector = message.running_sector;
+  for (const tws_msgs::CorrelatedTrack& track : message.tracks) {
+    tracks.tracks.push_back(track.track);
+    tracks.tracks.back().uid = tracks.tracks.back().number = track.identity;
+  }
+  return tracks;
+}
+
 void TrackPicture::add(const tws_msgs::Tracks& message) {
   for (const Track& track : message.tracks) {
     if (track.state == Track::DROPPED)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <tws_msgs/CorrelatedTracks.h>
 #include <tws_msgs/Tracks.h>
 
 #include <map>
@@ -12,6 +13,9 @@ namespace track_evaluation {
 
 /// Why a track's message cannot be used, e.g. "position.x is nan"; empty: it can.
 std::string faultOf(const tws_msgs::Track& track);
+
+/// The same without what only a correlator says: the tracks under their own identities.
+tws_msgs::Tracks tracksOf(const tws_msgs::CorrelatedTracks& message);
 
 /// The whole picture of one tracker: the last word of each track.
 class TrackPicture {

@@ -12,6 +12,12 @@ namespace {
 // Tracks come first: what was said at the very instant of an epoch counts.
 constexpr std::size_t kTracks = 0, kTruth = 1;
 
+CorrelationMetrics::Kind kindOf(const tws_msgs::CorrelatedTrack& track) {
+  if (track.kind == tws_msgs::CorrelatedTrack::CORRELATED) return CorrelationMetrics::Kind::kCorrelated;
+  return track.kind == tws_msgs::CorrelatedTrack::SECONDARY_ONLY ? CorrelationMetrics::Kind::kSecondaryOnly
+                                                                 : CorrelationMetrics::Kind::kPrimaryOnly;
+}
+
 }  // namespace
 
 TrackerEvaluation::TrackerEvaluation(const EvaluationParams& params, FindSite find_site, OnEpoch on_epoch,
@@ -31,7 +37,12 @@ bool TrackerEvaluation::add(const tws_msgs::Truth& message) {
   return in_time;
 }
 
-bool TrackerEvaluation::add(const tws_msgs::Tracks& message) {
+bool TrackerEvaluation::add(const tws_msgs::Tracks& message) { return addTracks(message); }
+
+bool TrackerEvaluation::add(const tws_msgs::CorrelatedTracks& message) { return addTracks(message); }
+
+template <class M>
+bool TrackerEvaluation::addTracks(const M& message) {
   const bool in_time = order_.push(kTracks, tws_runtime::toSeconds(message.header.stamp), Input(message)) ==
                        tws::TimeOrder<Input>::Result::kAccepted;
   if (!in_time) take(message);
@@ -52,6 +63,13 @@ void TrackerEvaluation::take(const tws_msgs::Tracks& message) {
   radar_ = message.radar;
   picture_.add(message);
   addUpdates(message);
+}
+
+void TrackerEvaluation::take(const tws_msgs::CorrelatedTracks& message) {
+  take(tracksOf(message));
+  for (const tws_msgs::CorrelatedTrack& track : message.tracks)
+    if (track.track.state != tws_msgs::Track::DROPPED)
+      correlation.add({track.identity, kindOf(track), track.track.mode_3a});
 }
 
 void TrackerEvaluation::addUpdates(const tws_msgs::Tracks& message) {
@@ -81,6 +99,7 @@ void TrackerEvaluation::take(const tws_msgs::Truth& message) {
     return;  // A second message of one instant.
   }
   ++epochs_;
+  correlation.judge(epoch, evaluator_->lastPairs());
   on_epoch_(epoch, *evaluator_);
 }
 

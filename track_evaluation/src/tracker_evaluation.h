@@ -1,6 +1,7 @@
 #pragma once
 
 #include <tws_core/time_order.h>
+#include <tws_msgs/CorrelatedTracks.h>
 #include <tws_msgs/Tracks.h>
 #include <tws_msgs/Truth.h>
 
@@ -9,6 +10,7 @@
 #include <string>
 #include <variant>
 
+#include "correlation.h"
 #include "evaluation_params.h"
 #include "evaluator.h"
 #include "identity.h"
@@ -17,7 +19,8 @@
 
 namespace track_evaluation {
 
-/// One tracker against truth: joins both by time and feeds the metrics, whatever the order in which they arrive.
+/// One tracker, or a correlator, against truth: joins both by time and feeds the metrics, whatever the order in which
+/// they arrive.
 class TrackerEvaluation {
  public:
   /// Where the tracker's radar stands in the frame of the truth [m].
@@ -32,6 +35,8 @@ class TrackerEvaluation {
   /// False: it came too late, and (truth) was left out or (tracks) will show later than it should.
   bool add(const tws_msgs::Truth& message);
   bool add(const tws_msgs::Tracks& message);
+  /// Of a correlator: its own identity is the track.
+  bool add(const tws_msgs::CorrelatedTracks& message);
   /// No more will come.
   void finish();
 
@@ -39,11 +44,15 @@ class TrackerEvaluation {
   std::size_t epochs() const { return epochs_; }
   Timing timing;
   IdentityMetrics identity;
+  CorrelationMetrics correlation;
 
  private:
-  using Input = std::variant<tws_msgs::Tracks, tws_msgs::Truth>;
+  using Input = std::variant<tws_msgs::Tracks, tws_msgs::CorrelatedTracks, tws_msgs::Truth>;
+  template <class M>
+  bool addTracks(const M& message);
   void drain();
   void take(const tws_msgs::Tracks& message);
+  void take(const tws_msgs::CorrelatedTracks& message);
   void take(const tws_msgs::Truth& message);
   void addUpdates(const tws_msgs::Tracks& message);
 

@@ -10,6 +10,7 @@
 #include <tws_msgs/Detections.h>
 #include <tws_msgs/SectorMark.h>
 #include <tws_msgs/SsrPlots.h>
+#include <tws_msgs/Tracks.h>
 #include <tws_msgs/Truth.h>
 #include <tws_runtime/bus.h>
 #include <tws_runtime/source.h>
@@ -21,9 +22,11 @@ struct SecondarySectorReport;
 struct SectorReport;
 struct TruthReport;
 class Simulation;
+class TrackFeed;
 
 /// The simulator as a source of messages: of each radar its detections (a secondary one: plots) and sector marks, the
-/// truth, and the radars' frames. Parameters (see the README): scenario, seed, duration.
+/// truth, the radars' frames, and where the scenario feeds tracks, these. Parameters (see the README): scenario, seed,
+/// duration.
 class RadarSimNode : public tws_runtime::Source {
  public:
   /// Throws tws_runtime::ParameterError for a wrong parameter or scenario file.
@@ -37,6 +40,8 @@ class RadarSimNode : public tws_runtime::Source {
   /// Names of the rotating primary radars, in the scenario's order; of the secondary ones.
   std::vector<std::string> radars() const;
   std::vector<std::string> secondaryRadars() const;
+  /// Whether the scenario feeds tracks, on /primary/tracks and /secondary/tracks.
+  bool feedsTracks() const;
   /// Data time from start to end [s].
   double duration() const;
 
@@ -49,9 +54,16 @@ class RadarSimNode : public tws_runtime::Source {
     tws_runtime::Publisher<tws_msgs::SsrPlots> plots;
     tws_runtime::Publisher<tws_msgs::SectorMark> marks;
   };
+  struct Feed {
+    std::unique_ptr<TrackFeed> tracks;
+    tws_runtime::Publisher<tws_msgs::Tracks> topic;
+    std::uint32_t sequence = 0;
+  };
 
   void advertise(tws_runtime::Bus& bus);
+  void advertiseFeeds(tws_runtime::Bus& bus);
   void publish(const SectorReport& report);
+  void feedTracks(const SectorReport& report);
   void publish(const SecondarySectorReport& report);
   void publish(const TruthReport& report);
 
@@ -59,6 +71,7 @@ class RadarSimNode : public tws_runtime::Source {
   std::unique_ptr<Simulation> simulation_;
   std::vector<RadarTopics> radar_topics_;
   std::vector<SecondaryTopics> secondary_topics_;
+  std::vector<Feed> feeds_;
   tws_runtime::Publisher<tws_msgs::Truth> truth_topic_;
 };
 

@@ -1,0 +1,108 @@
+#include "track_feed_messages.h"
+
+#include <cmath>
+
+#include <tws_core/geometry.h>
+#include <tws_core/sectors.h>
+#include <tws_runtime/conversions.h>
+
+#include "conversions.h"
+
+namespace radar_sim {
+namespace {
+
+using tws_msgs::Track;
+
+std::uint16_t codeOf(const Transponder& transponder, Mode mode) {
+  const int code = transponder.codes[index(mode)];
+  return code >= 0 ? static_cast<std::uint16_t>(code) : std::uint16_t{Track::CODE_UNKNOWN};
+}
+
+/// The pulses of mode 1 as the number of its two octal digits.
+std::uint16_t mode1Of(const Transponder& transponder) {
+  const std::uint16_t code = codeOf(transponder, Mode::k1);
+  if (code == Track::CODE_UNKNOWN) return code;
+  return static_cast<std::uint16_t>((code >> 9 & 7) << 3 | (code >> 6 & 3));
+}
+
+void setPolar(const Eigen::Vector4d& state, Track& message) {
+  const tws::PolarRates rates = tws::polarRates({state(0), state(1), 0.0}, {state(2), state(3), 0.0});
+  message.range = state.head<2>().norm();
+  message.azimuth = tws::azimuthOf(state.head<2>());
+  message.elevation = tws::Plot::kUnknown;
+  message.range_rate = rates.range;
+  message.azimuth_rate = rates.azimuth;
+}
+
+/// Without a height the slant range is laid on the ground.
+void setCartesian(const FedTrack& track, const Eigen::Isometry3d& radar_to_map, double antenna_height, Track& message) {
+  const double above = std::isnan(track.height) ? 0.0 : track.height - antenna_height;
+  const double ground = tws::groundRange(message.range, above);
+  const double part = message.range > 0.0 ? ground / message.range : 1.0;
+  const Eigen::Vector3d place = radar_to_map * Eigen::Vector3d(part * track.state(0), part * track.state(1), 0.0);
+  const Eigen::Vector3d velocity = radar_to_map.linear() * Eigen::Vector3d(track.state(2), track.state(3), 0.0);
+  message.position.x = place.x();
+  message.position.y = place.y();
+  message.position.z = track.height;
+  message.velocity.x = velocity.x();
+  message.velocity.y = velocity.y();
+  message.velocity.z = tws::Plot::kUnknown;
+  message.speed = velocity.head<2>().norm();
+  message.course = message.speed > 0.0 ? tws::azimuthOf(velocity.head<2>()) : tws::Plot::kUnknown;
+}
+
+void setCovariance(const TrackFeedParams& params, Track& message) {
+  message.covariance.assign(16, 0.0);
+  for (std::size_t i = 0; i < 4; ++i) {
+    const double sigma = i < 2 ? params.position_sigma : params.velocity_sigma;
+    message.covariance[5 * i] = sigma * sigma;
+  }
+}
+
+void setIdentity(const Target& target, const FedTrack& track, Track& message) {
+  message.mode_1 = mode1Of(target.transponder);
+  message.mode_2 = codeOf(target.transponder, Mode::k2);
+  message.mode_3a = codeOf(target.transponder, Mode::k3A);
+  if (target.transponder.altitude) message.height = track.height;
+}
+
+Track toTrack(const TrackFeed& feed, const FedTrack& track, const Target& target, const Eigen::Isometry3d& radar_to_map,
+              double antenna_height) {
+  const bool primary = feed.kind() == FeedKind::kPrimary;
+  Track message;
+  message.number = message.uid = track.number;
+  message.state = track.dropped ? Track::DROPPED : Track::FIRM;
+  message.stamp = message.last_update = tws_runtime::toTime(track.time);
+  message.first_detection = tws_runtime::toTime(track.first_time);
+  setPolar(track.state, message);
+  setCartesian(track, radar_to_map, antenna_height, message);
+  setCovariance(feed.params(), message);
+  message.detection_bits = primary ? Track::DETECTED_BY_RADAR_0 : Track::DETECTED_BY_IFF;
+  message.radars = {feed.params().clock_radar};
+  message.radar_updates = {message.last_update};
+  message.mode_1 = message.mode_2 = message.mode_3a = Track::CODE_UNKNOWN;
+  message.height = tws::Plot::kUnknown;
+  if (!primary) setIdentity(target, track, message);
+  return message;
+}
+
+}  // namespace
+
+std::string nameOf(FeedKind kind) { return kind == FeedKind::kPrimary ? "primary" : "secondary"; }
+
+tws_msgs::Tracks toTracks(const TrackFeed& feed, const std::vector<FedTrack>& tracks, const tws::RadarSector& sector,
+                          const std::vector<Target>& targets, double antenna_height) {
+  const Eigen::Isometry3d radar_to_map = feed.mapToRadar().inverse();
+  tws_msgs::Tracks message;
+  message.header.stamp = tws_runtime::toTime(sector.enter_time);
+  message.header.frame_id = kMapFrame;
+  message.tracker = nameOf(feed.kind());
+  message.radar = feed.params().clock_radar;
+  message.sector = static_cast<std::uint8_t>(sector.sector);
+  message.running_sector = static_cast<std::uint32_t>(sector.running);
+  for (const FedTrack& track : tracks)
+    message.tracks.push_back(toTrack(feed, track, targets[track.target], radar_to_map, antenna_height));
+  return message;
+}
+
+}  // namespace radar_sim

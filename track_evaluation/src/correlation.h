@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <vector>
+
+#include "epoch.h"
+#include "metric_list.h"
+
+namespace track_evaluation {
+
+/// Whether a picture of correlated tracks gives each aircraft its own code, word by word. Sampath Kumar, Viji Paul and
+/// Ramakrishnan count so: their table 1 is the number of scans with a wrong pair. README.md defines the metrics.
+class CorrelationMetrics {
+ public:
+  enum class Kind { kPrimaryOnly, kSecondaryOnly, kCorrelated };
+
+  /// What the correlator says of a living track of its own.
+  struct Word {
+    std::uint32_t identity = 0;
+    Kind kind = Kind::kPrimaryOnly;
+    std::uint16_t mode_3a = kCodeUnknown;
+  };
+
+  void add(const Word& word);
+  /// The words since the last call are about the truths that their identities are paired with now. `track_of`: of each
+  /// truth of the epoch the index of its track or -1.
+  void judge(const Epoch& epoch, const std::vector<int>& track_of);
+
+  bool empty() const { return words_[0] + words_[1] + words_[2] == 0; }
+  MetricList report() const;
+
+ private:
+  double words_[3] = {};  // by kind
+  std::vector<Word> waiting_;
+  double judged_ = 0.0, wrong_ = 0.0;
+  double first_time_ = kUnknown, last_time_ = kUnknown;  // epochs [s]
+};
+
+}  // namespace track_evaluation
