@@ -45,7 +45,8 @@ void AssignmentClassicMunkres(benchmark::State& state) {
   compare(state, munkres.solve(costs, n), costs, n);
   for (auto _ : state) benchmark::DoNotOptimize(munkres.solve(costs, n));
 }
-BENCHMARK(AssignmentClassicMunkres)->Arg(3)->Arg(5)->Arg(10)->Arg(50)->Arg(100)->Arg(300)->Arg(1000);
+// For 1000 it takes a minute.
+BENCHMARK(AssignmentClassicMunkres)->Arg(3)->Arg(5)->Arg(10)->Arg(50)->Arg(100)->Arg(300);
 
 void AssignmentBruteForce(benchmark::State& state) {
   const auto n = static_cast<std::size_t>(state.range(0));
