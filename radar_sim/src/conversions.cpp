@@ -137,6 +137,7 @@ tws_msgs::Truth toTruth(const TruthReport& report, const Simulation& simulation)
   truth.header.stamp = tws_runtime::toTime(report.time);
   truth.header.frame_id = kMapFrame;
   for (const RotatingRadar& radar : simulation.radars()) truth.radars.push_back(radar.params().name);
+  for (const ArrayRadar& radar : simulation.arrayRadars()) truth.radars.push_back(radar.params().name);
   for (const TruthReport::Entry& entry : report.entries) {
     truth.targets.push_back(toTruthTarget(entry, simulation.targets()[entry.target]));
   }

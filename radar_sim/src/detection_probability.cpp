@@ -15,12 +15,6 @@ void check(double mean_snr, double pfa) {
     throw std::invalid_argument("false-alarm probability " + std::to_string(pfa) + " is not in (0, 1)");
 }
 
-double drawSignalPower(Fluctuation fluctuation, double mean_snr, RandomStream& random) {
-  if (fluctuation == Fluctuation::kSteady || mean_snr <= 0.0) return mean_snr;
-  if (fluctuation == Fluctuation::kExponential) return std::exponential_distribution<>(1.0 / mean_snr)(random);
-  return std::gamma_distribution<>(2.0, mean_snr / 2.0)(random);
-}
-
 }  // namespace
 
 // b² of a square-law detector's two quadratures is noncentral chi-squared, with a² as its noncentrality.
@@ -55,9 +49,18 @@ double snrForDetectionProbability(Fluctuation fluctuation, double probability, d
 }
 
 double drawPower(Fluctuation fluctuation, double mean_snr, RandomStream& random) {
-  const double signal = std::sqrt(drawSignalPower(fluctuation, mean_snr, random));
+  return addNoise(drawSignalPower(fluctuation, mean_snr, random), random);
+}
+
+double drawSignalPower(Fluctuation fluctuation, double mean_snr, RandomStream& random) {
+  if (fluctuation == Fluctuation::kSteady || mean_snr <= 0.0) return mean_snr;
+  if (fluctuation == Fluctuation::kExponential) return std::exponential_distribution<>(1.0 / mean_snr)(random);
+  return std::gamma_distribution<>(2.0, mean_snr / 2.0)(random);
+}
+
+double addNoise(double signal_power, RandomStream& random) {
   std::normal_distribution<> noise(0.0, std::sqrt(0.5));
-  const double in_phase = signal + noise(random);
+  const double in_phase = std::sqrt(signal_power) + noise(random);
   const double quadrature = noise(random);
   return in_phase * in_phase + quadrature * quadrature;
 }

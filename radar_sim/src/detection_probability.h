@@ -26,6 +26,9 @@ double snrForDetectionProbability(Fluctuation fluctuation, double probability, d
 /// Power behind the square-law detector on one scan, in units of the mean noise power: the fluctuating echo in noise.
 /// It exceeds -ln(pfa) with the probability that detectionProbability() states.
 double drawPower(Fluctuation fluctuation, double mean_snr, RandomStream& random);
+/// Its two parts: the power of the fluctuating echo alone, and that of an echo of this power in noise.
+double drawSignalPower(Fluctuation fluctuation, double mean_snr, RandomStream& random);
+double addNoise(double signal_power, RandomStream& random);
 
 /// Marcum's Q function of order 1, Q1(a, b), for a, b >= 0.
 double marcumQ(double a, double b);

@@ -1,11 +1,13 @@
 #include <radar_sim/radar_sim_node.h>
 
+#include <algorithm>
 #include <limits>
 #include <stdexcept>
 
 #include <tws_runtime/conversions.h>
 #include <tws_runtime/parameters.h>
 
+#include "array_loop.h"
 #include "conversions.h"
 #include "scenario.h"
 #include "simulation.h"
@@ -69,6 +71,11 @@ void RadarSimNode::advertise(tws_runtime::Bus& bus) {
                                  bus.advertise<tws_msgs::SectorMark>("/" + radar.name + "/sector_marks")});
     bus.publishStaticTransform(toTransform(mapToRadar(*scenario_, radar), radar.name));
   }
+  for (std::size_t i = 0; i < simulation_->arrayRadars().size(); ++i) {
+    array_loops_.emplace_back(bus, *simulation_, i);
+    const ArrayRadar& radar = simulation_->arrayRadars()[i];
+    bus.publishStaticTransform(toTransform(radar.mapToArray(), radar.params().name));
+  }
 }
 
 void RadarSimNode::advertiseFeeds(tws_runtime::Bus& bus) {
@@ -95,9 +102,20 @@ std::vector<std::string> RadarSimNode::secondaryRadars() const { return namesOf(
 
 bool RadarSimNode::feedsTracks() const { return scenario_->track_feed.has_value(); }
 
+std::vector<std::string> RadarSimNode::arrayRadars() const { return namesOf(scenario_->array_radars); }
+
 double RadarSimNode::duration() const { return scenario_->duration; }
 
+bool RadarSimNode::isReady() const {
+  return std::all_of(array_loops_.begin(), array_loops_.end(), [](const ArrayLoop& loop) { return loop.isReady(); });
+}
+
+void RadarSimNode::stopWaiting() {
+  for (ArrayLoop& loop : array_loops_) loop.stopWaiting();
+}
+
 void RadarSimNode::step() {
+  for (ArrayLoop& loop : array_loops_) loop.prepareStep();
   std::visit([this](const auto& report) { publish(report); }, simulation_->step());
 }
 
@@ -124,6 +142,8 @@ void RadarSimNode::publish(const SecondarySectorReport& report) {
   secondary_topics_[report.radar].plots.publish(toSsrPlots(report.sector, radar));
   secondary_topics_[report.radar].marks.publish(toSectorMark(report, *simulation_));
 }
+
+void RadarSimNode::publish(const ArrayReport& report) { array_loops_[report.radar].publish(report.period); }
 
 void RadarSimNode::publish(const TruthReport& report) { truth_topic_.publish(toTruth(report, *simulation_)); }
 

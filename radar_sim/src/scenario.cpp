@@ -4,6 +4,8 @@
 #include <set>
 #include <stdexcept>
 
+#include <tws_core/sine_space.h>
+
 #include "trajectory.h"
 
 namespace radar_sim {
@@ -58,6 +60,10 @@ Eigen::Isometry3d mapToRadar(const Scenario& scenario, const RadarParams& radar)
 
 Eigen::Isometry3d mapToRadar(const Scenario& scenario, const SecondaryParams& radar) {
   return mapToAntenna(scenario, radar);
+}
+
+Eigen::Isometry3d mapToRadar(const Scenario& scenario, const ArrayParams& radar) {
+  return tws::enuFromArrayRotation(radar.azimuth, radar.tilt).transpose() * mapToAntenna(scenario, radar);
 }
 
 }  // namespace radar_sim

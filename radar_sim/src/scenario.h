@@ -8,6 +8,7 @@
 
 #include <tws_core/geodesy.h>
 
+#include "array_params.h"
 #include "fault.h"
 #include "radar_params.h"
 #include "random_group.h"
@@ -32,6 +33,7 @@ struct Scenario {
   std::vector<Site> sites;
   std::vector<RadarParams> radars;
   std::vector<SecondaryParams> secondary_radars;
+  std::vector<ArrayParams> array_radars;
   std::vector<Target> targets;  ///< Those that are given one by one.
   std::vector<RandomGroup> groups;
   std::vector<Fault> faults;
@@ -57,5 +59,7 @@ std::vector<Target> allTargets(const Scenario& scenario);
 /// Takes map coordinates to the radar's own east, north, up at its antenna.
 Eigen::Isometry3d mapToRadar(const Scenario& scenario, const RadarParams& radar);
 Eigen::Isometry3d mapToRadar(const Scenario& scenario, const SecondaryParams& radar);
+/// To the array's frame: x along boresight, y left, z up.
+Eigen::Isometry3d mapToRadar(const Scenario& scenario, const ArrayParams& radar);
 
 }  // namespace radar_sim

@@ -3,6 +3,7 @@
 
 #include <tws_core/units.h>
 
+#include "array_reader.h"
 #include "radar_reader.h"
 #include "reading.h"
 #include "scenario.h"
@@ -65,6 +66,11 @@ void readRadars(ParameterReader& reader, Scenario& scenario) {
     refuseSecond(names, scenario.secondary_radars.back().name, entry);
     settleSite(scenario.secondary_radars.back().site, scenario, entry);
   }
+  for (ParameterReader& entry : reader.list("array_radars")) {
+    scenario.array_radars.push_back(readArrayRadar(entry));
+    refuseSecond(names, scenario.array_radars.back().name, entry);
+    settleSite(scenario.array_radars.back().site, scenario, entry);
+  }
 }
 
 void readTargets(ParameterReader& reader, const ReadingContext& context, Scenario& scenario) {
@@ -93,9 +99,11 @@ Fault readFault(ParameterReader& reader, const Scenario& scenario) {
   reader.choice("type", type, {"outage", "missed_scan", "false_alarm_burst"});
   std::vector<std::string> radars;
   for (const RadarParams& radar : scenario.radars) radars.push_back(radar.name);
-  // A secondary radar has no false alarms: its FRUIT is a parameter of its own.
-  if (type != "false_alarm_burst")
+  // A secondary radar has no false alarms: its FRUIT is a parameter of its own; nor does an array scan.
+  if (type != "false_alarm_burst") {
     for (const SecondaryParams& radar : scenario.secondary_radars) radars.push_back(radar.name);
+    for (const ArrayParams& radar : scenario.array_radars) radars.push_back(radar.name);
+  }
   reader.require("radar");
   reader.choice("radar", fault.radar, radars);
   reader.require("from_s");

@@ -14,17 +14,25 @@ std::vector<Fault> faultsOf(const Scenario& scenario, const std::string& radar) 
   return faults;
 }
 
-/// Index of the radar whose mark comes first, of equal ones the first.
+/// When a radar reports next, and how it goes on to there.
+double nextReport(const RotatingRadar& radar) { return radar.nextMark(); }
+double nextReport(const SecondaryRadar& radar) { return radar.nextMark(); }
+double nextReport(const ArrayRadar& radar) { return radar.nextReport(); }
+void goOn(RotatingRadar& radar) { radar.closeSector(); }
+void goOn(SecondaryRadar& radar) { radar.closeSector(); }
+void goOn(ArrayRadar& radar) { radar.runPeriod(); }
+
+/// Index of the radar that reports first, of equal ones the first.
 template <class Radar>
 std::size_t earliest(const std::deque<Radar>& radars) {
-  const auto isEarlier = [](const Radar& a, const Radar& b) { return a.nextMark() < b.nextMark(); };
+  const auto isEarlier = [](const Radar& a, const Radar& b) { return nextReport(a) < nextReport(b); };
   return static_cast<std::size_t>(std::min_element(radars.begin(), radars.end(), isEarlier) - radars.begin());
 }
 
 /// Infinite without radars.
 template <class Radar>
-double earliestMark(const std::deque<Radar>& radars) {
-  return radars.empty() ? std::numeric_limits<double>::infinity() : radars[earliest(radars)].nextMark();
+double earliestReport(const std::deque<Radar>& radars) {
+  return radars.empty() ? std::numeric_limits<double>::infinity() : nextReport(radars[earliest(radars)]);
 }
 
 std::int64_t runningOf(const tws::RadarSector& sector) { return sector.running; }
@@ -37,6 +45,7 @@ double markOf(const SecondarySector& sector) { return sector.span.leave_time; }
 Simulation::Simulation(const Scenario& scenario) : scenario_(scenario), targets_(allTargets(scenario)) {
   for (const RadarParams& radar : scenario_.radars) addRadar(radars_, radar);
   for (const SecondaryParams& radar : scenario_.secondary_radars) addRadar(secondary_radars_, radar);
+  for (const ArrayParams& radar : scenario_.array_radars) addRadar(array_radars_, radar);
   plot_counts_.resize(radars_.size());
   secondary_plot_counts_.resize(secondary_radars_.size());
 }
@@ -49,29 +58,39 @@ void Simulation::addRadar(std::deque<Radar>& radars, const Params& params) {
 }
 
 std::optional<double> Simulation::nextTime() const {
-  const double time = std::min({truthTime(), earliestMark(radars_), earliestMark(secondary_radars_)});
+  const double time = std::min(
+      {truthTime(), earliestReport(radars_), earliestReport(secondary_radars_), earliestReport(array_radars_)});
   return time <= scenario_.endTime() ? std::optional<double>(time) : std::nullopt;
 }
 
-std::variant<SectorReport, SecondarySectorReport, TruthReport> Simulation::step() {
-  const double primary = earliestMark(radars_);
-  const double secondary = earliestMark(secondary_radars_);
-  if (truthTime() <= std::min(primary, secondary)) return takeTruth();
-  const std::size_t radar = primary <= secondary ? earliest(radars_) : earliest(secondary_radars_);
-  if (primary <= secondary) {
-    auto report = closeSector<SectorReport>(radars_[radar], plot_counts_[radar]);
-    report.radar = radar;
-    return report;
-  }
-  auto report = closeSector<SecondarySectorReport>(secondary_radars_[radar], secondary_plot_counts_[radar]);
-  report.radar = radar;
-  return report;
+std::variant<SectorReport, SecondarySectorReport, ArrayReport, TruthReport> Simulation::step() {
+  const double time = *nextTime();
+  if (truthTime() <= time) return takeTruth();
+  if (earliestReport(radars_) <= time) return closeEarliest<SectorReport>(radars_, plot_counts_);
+  if (earliestReport(secondary_radars_) <= time)
+    return closeEarliest<SecondarySectorReport>(secondary_radars_, secondary_plot_counts_);
+  return runArray();
 }
 
 // The antenna turns on and the sectors count on, but nobody hears of them.
 template <class Radar>
 void Simulation::skipSilence(Radar& radar) const {
-  while (radar.nextMark() <= scenario_.endTime() && radar.isSilentAt(radar.nextMark())) radar.closeSector();
+  while (nextReport(radar) <= scenario_.endTime() && radar.isSilentAt(nextReport(radar))) goOn(radar);
+}
+
+template <class Report, class Radar>
+Report Simulation::closeEarliest(std::deque<Radar>& radars, std::vector<std::uint64_t>& counts) const {
+  const std::size_t radar = earliest(radars);
+  auto report = closeSector<Report>(radars[radar], counts[radar]);
+  report.radar = radar;
+  return report;
+}
+
+ArrayReport Simulation::runArray() {
+  const std::size_t radar = earliest(array_radars_);
+  ArrayReport report{radar, array_radars_[radar].runPeriod()};
+  skipSilence(array_radars_[radar]);
+  return report;
 }
 
 template <class Report, class Radar>
@@ -96,6 +115,10 @@ TruthReport Simulation::takeTruth() {
     if (!targets_[target].trajectory->existsAt(truth.time)) continue;
     TruthReport::Entry entry{target, targets_[target].trajectory->at(truth.time), {}};
     for (const RotatingRadar& radar : radars_) {
+      const tws::Polar polar = radar.polarOf(targets_[target], truth.time);
+      entry.sightings.push_back({polar.range, polar.azimuth, radar.detectionProbability(target, truth.time)});
+    }
+    for (const ArrayRadar& radar : array_radars_) {
       const tws::Polar polar = radar.polarOf(targets_[target], truth.time);
       entry.sightings.push_back({polar.range, polar.azimuth, radar.detectionProbability(target, truth.time)});
     }

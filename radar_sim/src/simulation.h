@@ -5,6 +5,7 @@
 #include <variant>
 #include <vector>
 
+#include "array_radar.h"
 #include "rotating_radar.h"
 #include "scenario.h"
 #include "secondary_radar.h"
@@ -34,24 +35,30 @@ struct SecondarySectorReport : MarkReport {
   SecondarySector sector;
 };
 
+/// What one array radar did in a resource period.
+struct ArrayReport {
+  std::size_t radar;  ///< Index in Simulation::arrayRadars().
+  ResourcePeriod period;
+};
+
 /// Every target that exists at one instant.
 struct TruthReport {
   double time;  ///< [s of data time]
   struct Sighting {
     double slant_range;            ///< [m]
     double azimuth;                ///< [rad]
-    double detection_probability;  ///< See RotatingRadar::detectionProbability().
+    double detection_probability;  ///< See RotatingRadar::detectionProbability(), ArrayRadar::detectionProbability().
   };
   struct Entry {
     std::size_t target;  ///< Index in Simulation::targets().
     TargetState state;
-    std::vector<Sighting> sightings;  ///< One a radar.
+    std::vector<Sighting> sightings;  ///< One a primary radar: the rotating ones, then the arrays.
   };
   std::vector<Entry> entries;
 };
 
 /// Runs a scenario: what happens next, in order of time. At equal times truth comes first, then the radars in their
-/// order, then the secondary ones. The same scenario gives the same reports, bit for bit.
+/// order, then the secondary ones, then the arrays. The same scenario gives the same reports, bit for bit.
 class Simulation {
  public:
   /// Throws std::invalid_argument when the scenario contradicts itself.
@@ -62,12 +69,17 @@ class Simulation {
   /// Time of what step() returns next [s of data time]; nothing: the scenario has ended.
   std::optional<double> nextTime() const;
   /// Must not be called after the end.
-  std::variant<SectorReport, SecondarySectorReport, TruthReport> step();
+  std::variant<SectorReport, SecondarySectorReport, ArrayReport, TruthReport> step();
 
   const std::vector<Target>& targets() const { return targets_; }
   /// In the order of the scenario.
   const std::deque<RotatingRadar>& radars() const { return radars_; }
   const std::deque<SecondaryRadar>& secondaryRadars() const { return secondary_radars_; }
+  const std::deque<ArrayRadar>& arrayRadars() const { return array_radars_; }
+  /// Closes the loop of an array: its dwells are planned by these tracks from now on.
+  void setTracks(std::size_t array, std::vector<ArrayTrack> tracks) {
+    array_radars_[array].setTracks(std::move(tracks));
+  }
 
  private:
   double truthTime() const { return scenario_.start_time + static_cast<double>(truth_count_) * scenario_.truth_period; }
@@ -79,12 +91,16 @@ class Simulation {
   /// `count`: of this radar's plots, goes on.
   template <class Report, class Radar>
   Report closeSector(Radar& radar, std::uint64_t& count) const;
+  template <class Report, class Radar>
+  Report closeEarliest(std::deque<Radar>& radars, std::vector<std::uint64_t>& counts) const;
+  ArrayReport runArray();
   TruthReport takeTruth();
 
   Scenario scenario_;
   std::vector<Target> targets_;
   std::deque<RotatingRadar> radars_;
   std::deque<SecondaryRadar> secondary_radars_;
+  std::deque<ArrayRadar> array_radars_;
   std::vector<std::uint64_t> plot_counts_;
   std::vector<std::uint64_t> secondary_plot_counts_;
   std::uint64_t truth_count_ = 0;

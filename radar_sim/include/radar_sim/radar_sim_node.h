@@ -1,5 +1,6 @@
 #pragma once
 
+#include <deque>
 #include <memory>
 #include <optional>
 #include <string>
@@ -17,6 +18,8 @@
 
 namespace radar_sim {
 
+class ArrayLoop;
+struct ArrayReport;
 struct Scenario;
 struct SecondarySectorReport;
 struct SectorReport;
@@ -25,8 +28,8 @@ class Simulation;
 class TrackFeed;
 
 /// The simulator as a source of messages: of each radar its detections (a secondary one: plots) and sector marks, the
-/// truth, the radars' frames, and where the scenario feeds tracks, these. Parameters (see the README): scenario, seed,
-/// duration.
+/// truth, the radars' frames, of an array radar its dwell reports, planned by the track database that it hears, and
+/// where the scenario feeds tracks, these. Parameters (see the README): scenario, seed, duration.
 class RadarSimNode : public tws_runtime::Source {
  public:
   /// Throws tws_runtime::ParameterError for a wrong parameter or scenario file.
@@ -35,13 +38,16 @@ class RadarSimNode : public tws_runtime::Source {
 
   std::optional<ros::Time> nextTime() const override;
   void step() override;
+  bool isReady() const override;
+  void stopWaiting() override;
   std::optional<ros::Time> endTime() const override;
 
-  /// Names of the rotating primary radars, in the scenario's order; of the secondary ones.
+  /// Names of the rotating primary radars, in the scenario's order; of the secondary ones; of the arrays.
   std::vector<std::string> radars() const;
   std::vector<std::string> secondaryRadars() const;
   /// Whether the scenario feeds tracks, on /primary/tracks and /secondary/tracks.
   bool feedsTracks() const;
+  std::vector<std::string> arrayRadars() const;
   /// Data time from start to end [s].
   double duration() const;
 
@@ -65,6 +71,7 @@ class RadarSimNode : public tws_runtime::Source {
   void publish(const SectorReport& report);
   void feedTracks(const SectorReport& report);
   void publish(const SecondarySectorReport& report);
+  void publish(const ArrayReport& report);
   void publish(const TruthReport& report);
 
   std::unique_ptr<const Scenario> scenario_;
@@ -72,6 +79,7 @@ class RadarSimNode : public tws_runtime::Source {
   std::vector<RadarTopics> radar_topics_;
   std::vector<SecondaryTopics> secondary_topics_;
   std::vector<Feed> feeds_;
+  std::deque<ArrayLoop> array_loops_;
   tws_runtime::Publisher<tws_msgs::Truth> truth_topic_;
 };
 
