@@ -12,6 +12,7 @@ inline Measurement measurementAt(double range, double u, double v, double snr = 
   measurement.v = v;
   measurement.covariance.diagonal() << 100.0, 0.25e-6, 0.25e-6;
   measurement.snr = snr;
+  measurement.rcs = 1.0;
   return measurement;
 }
 
