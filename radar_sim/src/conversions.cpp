@@ -132,6 +132,19 @@ tws_msgs::SsrPlots toSsrPlots(const SecondarySector& sector, const std::string& 
   return message;
 }
 
+tws_msgs::RangeProfile toRangeProfile(const AmplitudeProfile& profile, const RangeRadarParams& radar) {
+  tws_msgs::RangeProfile message;
+  message.header.stamp = tws_runtime::toTime(profile.time);
+  message.header.frame_id = message.radar = radar.name;
+  message.profile = profile.number;
+  message.range_min = profile.range_min;
+  message.bin_size = radar.bin_size;
+  message.azimuth = profile.azimuth;
+  message.bins = static_cast<std::uint32_t>(profile.amplitude.size());
+  message.amplitude = profile.amplitude;
+  return message;
+}
+
 tws_msgs::Truth toTruth(const TruthReport& report, const Simulation& simulation) {
   tws_msgs::Truth truth;
   truth.header.stamp = tws_runtime::toTime(report.time);

@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 #include <string>
 
+#include <tws_msgs/RangeProfile.h>
 #include <tws_msgs/SectorMark.h>
 #include <tws_msgs/SsrPlots.h>
 #include <tws_msgs/Truth.h>
@@ -20,6 +21,7 @@ constexpr const char* kMapFrame = "map";
 tws_msgs::SectorMark toSectorMark(const SectorReport& report, const Simulation& simulation);
 tws_msgs::SectorMark toSectorMark(const SecondarySectorReport& report, const Simulation& simulation);
 tws_msgs::SsrPlots toSsrPlots(const SecondarySector& sector, const std::string& radar);
+tws_msgs::RangeProfile toRangeProfile(const AmplitudeProfile& profile, const RangeRadarParams& radar);
 tws_msgs::Truth toTruth(const TruthReport& report, const Simulation& simulation);
 
 /// The pose of the radar's frame in the map.

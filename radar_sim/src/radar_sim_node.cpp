@@ -9,6 +9,7 @@
 
 #include "array_loop.h"
 #include "conversions.h"
+#include "range_loop.h"
 #include "scenario.h"
 #include "simulation.h"
 #include "track_feed.h"
@@ -76,6 +77,11 @@ void RadarSimNode::advertise(tws_runtime::Bus& bus) {
     const ArrayRadar& radar = simulation_->arrayRadars()[i];
     bus.publishStaticTransform(toTransform(radar.mapToArray(), radar.params().name));
   }
+  for (std::size_t i = 0; i < simulation_->rangeRadars().size(); ++i) {
+    range_loops_.emplace_back(bus, *simulation_, i);
+    const RangeRadarParams& radar = scenario_->range_radars[i];
+    bus.publishStaticTransform(toTransform(mapToRadar(*scenario_, radar), radar.name));
+  }
 }
 
 void RadarSimNode::advertiseFeeds(tws_runtime::Bus& bus) {
@@ -104,18 +110,24 @@ bool RadarSimNode::feedsTracks() const { return scenario_->track_feed.has_value(
 
 std::vector<std::string> RadarSimNode::arrayRadars() const { return namesOf(scenario_->array_radars); }
 
+std::vector<std::string> RadarSimNode::rangeRadars() const { return namesOf(scenario_->range_radars); }
+
 double RadarSimNode::duration() const { return scenario_->duration; }
 
 bool RadarSimNode::isReady() const {
-  return std::all_of(array_loops_.begin(), array_loops_.end(), [](const ArrayLoop& loop) { return loop.isReady(); });
+  const auto isReady = [](const auto& loop) { return loop.isReady(); };
+  return std::all_of(array_loops_.begin(), array_loops_.end(), isReady) &&
+         std::all_of(range_loops_.begin(), range_loops_.end(), isReady);
 }
 
 void RadarSimNode::stopWaiting() {
   for (ArrayLoop& loop : array_loops_) loop.stopWaiting();
+  for (RangeLoop& loop : range_loops_) loop.stopWaiting();
 }
 
 void RadarSimNode::step() {
   for (ArrayLoop& loop : array_loops_) loop.prepareStep();
+  for (RangeLoop& loop : range_loops_) loop.prepareStep();
   std::visit([this](const auto& report) { publish(report); }, simulation_->step());
 }
 
@@ -144,6 +156,8 @@ void RadarSimNode::publish(const SecondarySectorReport& report) {
 }
 
 void RadarSimNode::publish(const ArrayReport& report) { array_loops_[report.radar].publish(report.period); }
+
+void RadarSimNode::publish(const RangeReport& report) { range_loops_[report.radar].publish(report.profile); }
 
 void RadarSimNode::publish(const TruthReport& report) { truth_topic_.publish(toTruth(report, *simulation_)); }
 

@@ -62,6 +62,10 @@ Eigen::Isometry3d mapToRadar(const Scenario& scenario, const SecondaryParams& ra
   return mapToAntenna(scenario, radar);
 }
 
+Eigen::Isometry3d mapToRadar(const Scenario& scenario, const RangeRadarParams& radar) {
+  return mapToAntenna(scenario, radar);
+}
+
 Eigen::Isometry3d mapToRadar(const Scenario& scenario, const ArrayParams& radar) {
   return tws::enuFromArrayRotation(radar.azimuth, radar.tilt).transpose() * mapToAntenna(scenario, radar);
 }

@@ -12,6 +12,7 @@
 #include "fault.h"
 #include "radar_params.h"
 #include "random_group.h"
+#include "range_radar_params.h"
 #include "secondary_params.h"
 #include "target.h"
 #include "track_feed.h"
@@ -34,6 +35,7 @@ struct Scenario {
   std::vector<RadarParams> radars;
   std::vector<SecondaryParams> secondary_radars;
   std::vector<ArrayParams> array_radars;
+  std::vector<RangeRadarParams> range_radars;
   std::vector<Target> targets;  ///< Those that are given one by one.
   std::vector<RandomGroup> groups;
   std::vector<Fault> faults;
@@ -59,6 +61,7 @@ std::vector<Target> allTargets(const Scenario& scenario);
 /// Takes map coordinates to the radar's own east, north, up at its antenna.
 Eigen::Isometry3d mapToRadar(const Scenario& scenario, const RadarParams& radar);
 Eigen::Isometry3d mapToRadar(const Scenario& scenario, const SecondaryParams& radar);
+Eigen::Isometry3d mapToRadar(const Scenario& scenario, const RangeRadarParams& radar);
 /// To the array's frame: x along boresight, y left, z up.
 Eigen::Isometry3d mapToRadar(const Scenario& scenario, const ArrayParams& radar);
 

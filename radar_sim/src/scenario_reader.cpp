@@ -5,6 +5,7 @@
 
 #include "array_reader.h"
 #include "radar_reader.h"
+#include "range_reader.h"
 #include "reading.h"
 #include "scenario.h"
 #include "secondary_reader.h"
@@ -54,6 +55,14 @@ void settleSite(std::string& site, const Scenario& scenario, const ParameterRead
     entry.fail("site", "there is no site '" + site + "'");
 }
 
+/// Of the range radar just read.
+void refuseUnknownTarget(const Scenario& scenario, const ParameterReader& entry) {
+  const std::string& target = scenario.range_radars.back().target;
+  const auto isIt = [&](const Target& known) { return known.name == target; };
+  if (std::none_of(scenario.targets.begin(), scenario.targets.end(), isIt))
+    entry.fail("target", "there is no target '" + target + "' in the list targets");
+}
+
 void readRadars(ParameterReader& reader, Scenario& scenario) {
   std::set<std::string> names;
   for (ParameterReader& entry : reader.list("radars")) {
@@ -70,6 +79,12 @@ void readRadars(ParameterReader& reader, Scenario& scenario) {
     scenario.array_radars.push_back(readArrayRadar(entry));
     refuseSecond(names, scenario.array_radars.back().name, entry);
     settleSite(scenario.array_radars.back().site, scenario, entry);
+  }
+  for (ParameterReader& entry : reader.list("range_radars")) {
+    scenario.range_radars.push_back(readRangeRadar(entry));
+    refuseSecond(names, scenario.range_radars.back().name, entry);
+    settleSite(scenario.range_radars.back().site, scenario, entry);
+    refuseUnknownTarget(scenario, entry);
   }
 }
 
@@ -103,6 +118,8 @@ Fault readFault(ParameterReader& reader, const Scenario& scenario) {
   if (type != "false_alarm_burst") {
     for (const SecondaryParams& radar : scenario.secondary_radars) radars.push_back(radar.name);
     for (const ArrayParams& radar : scenario.array_radars) radars.push_back(radar.name);
+    if (type == "outage")
+      for (const RangeRadarParams& radar : scenario.range_radars) radars.push_back(radar.name);
   }
   reader.require("radar");
   reader.choice("radar", fault.radar, radars);
@@ -154,8 +171,8 @@ Scenario loadScenario(const std::string& path, const ScenarioOverrides& override
   readGeneral(reader, scenario);
   const ReadingContext context{tws::LocalFrame(scenario.origin), scenario.start_time, folderOf(path)};
   readSites(reader, context, scenario);
-  readRadars(reader, scenario);
   readTargets(reader, context, scenario);
+  readRadars(reader, scenario);
   for (ParameterReader& entry : reader.list("faults")) scenario.faults.push_back(readFault(entry, scenario));
   readTrackFeed(reader, scenario);
   reader.done();

@@ -18,9 +18,11 @@ std::vector<Fault> faultsOf(const Scenario& scenario, const std::string& radar) 
 double nextReport(const RotatingRadar& radar) { return radar.nextMark(); }
 double nextReport(const SecondaryRadar& radar) { return radar.nextMark(); }
 double nextReport(const ArrayRadar& radar) { return radar.nextReport(); }
+double nextReport(const RangeRadar& radar) { return radar.nextProfile(); }
 void goOn(RotatingRadar& radar) { radar.closeSector(); }
 void goOn(SecondaryRadar& radar) { radar.closeSector(); }
 void goOn(ArrayRadar& radar) { radar.runPeriod(); }
+void goOn(RangeRadar& radar) { radar.takeProfile(); }
 
 /// Index of the radar that reports first, of equal ones the first.
 template <class Radar>
@@ -46,6 +48,7 @@ Simulation::Simulation(const Scenario& scenario) : scenario_(scenario), targets_
   for (const RadarParams& radar : scenario_.radars) addRadar(radars_, radar);
   for (const SecondaryParams& radar : scenario_.secondary_radars) addRadar(secondary_radars_, radar);
   for (const ArrayParams& radar : scenario_.array_radars) addRadar(array_radars_, radar);
+  for (const RangeRadarParams& radar : scenario_.range_radars) addRadar(range_radars_, radar);
   plot_counts_.resize(radars_.size());
   secondary_plot_counts_.resize(secondary_radars_.size());
 }
@@ -58,18 +61,19 @@ void Simulation::addRadar(std::deque<Radar>& radars, const Params& params) {
 }
 
 std::optional<double> Simulation::nextTime() const {
-  const double time = std::min(
-      {truthTime(), earliestReport(radars_), earliestReport(secondary_radars_), earliestReport(array_radars_)});
+  const double time = std::min({truthTime(), earliestReport(radars_), earliestReport(secondary_radars_),
+                                earliestReport(array_radars_), earliestReport(range_radars_)});
   return time <= scenario_.endTime() ? std::optional<double>(time) : std::nullopt;
 }
 
-std::variant<SectorReport, SecondarySectorReport, ArrayReport, TruthReport> Simulation::step() {
+std::variant<SectorReport, SecondarySectorReport, ArrayReport, RangeReport, TruthReport> Simulation::step() {
   const double time = *nextTime();
   if (truthTime() <= time) return takeTruth();
   if (earliestReport(radars_) <= time) return closeEarliest<SectorReport>(radars_, plot_counts_);
   if (earliestReport(secondary_radars_) <= time)
     return closeEarliest<SecondarySectorReport>(secondary_radars_, secondary_plot_counts_);
-  return runArray();
+  if (earliestReport(array_radars_) <= time) return runArray();
+  return takeProfile();
 }
 
 // The antenna turns on and the sectors count on, but nobody hears of them.
@@ -90,6 +94,13 @@ ArrayReport Simulation::runArray() {
   const std::size_t radar = earliest(array_radars_);
   ArrayReport report{radar, array_radars_[radar].runPeriod()};
   skipSilence(array_radars_[radar]);
+  return report;
+}
+
+RangeReport Simulation::takeProfile() {
+  const std::size_t radar = earliest(range_radars_);
+  RangeReport report{radar, range_radars_[radar].takeProfile()};
+  skipSilence(range_radars_[radar]);
   return report;
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "array_radar.h"
+#include "range_radar.h"
 #include "rotating_radar.h"
 #include "scenario.h"
 #include "secondary_radar.h"
@@ -41,6 +42,12 @@ struct ArrayReport {
   ResourcePeriod period;
 };
 
+/// A profile of one range radar.
+struct RangeReport {
+  std::size_t radar;  ///< Index in Simulation::rangeRadars().
+  AmplitudeProfile profile;
+};
+
 /// Every target that exists at one instant.
 struct TruthReport {
   double time;  ///< [s of data time]
@@ -58,7 +65,8 @@ struct TruthReport {
 };
 
 /// Runs a scenario: what happens next, in order of time. At equal times truth comes first, then the radars in their
-/// order, then the secondary ones, then the arrays. The same scenario gives the same reports, bit for bit.
+/// order, then the secondary ones, then the arrays, then those that measure range profiles. The same scenario with
+/// the same commands gives the same reports, bit for bit.
 class Simulation {
  public:
   /// Throws std::invalid_argument when the scenario contradicts itself.
@@ -69,17 +77,20 @@ class Simulation {
   /// Time of what step() returns next [s of data time]; nothing: the scenario has ended.
   std::optional<double> nextTime() const;
   /// Must not be called after the end.
-  std::variant<SectorReport, SecondarySectorReport, ArrayReport, TruthReport> step();
+  std::variant<SectorReport, SecondarySectorReport, ArrayReport, RangeReport, TruthReport> step();
 
   const std::vector<Target>& targets() const { return targets_; }
   /// In the order of the scenario.
   const std::deque<RotatingRadar>& radars() const { return radars_; }
   const std::deque<SecondaryRadar>& secondaryRadars() const { return secondary_radars_; }
   const std::deque<ArrayRadar>& arrayRadars() const { return array_radars_; }
+  const std::deque<RangeRadar>& rangeRadars() const { return range_radars_; }
   /// Closes the loop of an array: its dwells are planned by these tracks from now on.
   void setTracks(std::size_t array, std::vector<ArrayTrack> tracks) {
     array_radars_[array].setTracks(std::move(tracks));
   }
+  /// The gate of a range radar from its next profile on. False: it makes no sense, and the old one stays.
+  bool setGate(std::size_t radar, RangeGate gate) { return range_radars_[radar].setGate(gate); }
 
  private:
   double truthTime() const { return scenario_.start_time + static_cast<double>(truth_count_) * scenario_.truth_period; }
@@ -94,6 +105,7 @@ class Simulation {
   template <class Report, class Radar>
   Report closeEarliest(std::deque<Radar>& radars, std::vector<std::uint64_t>& counts) const;
   ArrayReport runArray();
+  RangeReport takeProfile();
   TruthReport takeTruth();
 
   Scenario scenario_;
@@ -101,6 +113,7 @@ class Simulation {
   std::deque<RotatingRadar> radars_;
   std::deque<SecondaryRadar> secondary_radars_;
   std::deque<ArrayRadar> array_radars_;
+  std::deque<RangeRadar> range_radars_;
   std::vector<std::uint64_t> plot_counts_;
   std::vector<std::uint64_t> secondary_plot_counts_;
   std::uint64_t truth_count_ = 0;

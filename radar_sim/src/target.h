@@ -23,6 +23,13 @@ struct Reflection {
   double jitter = 0.0;
 };
 
+/// What a radar of high range resolution sees of a target.
+struct Body {
+  double length = 0.0;       ///< Along the course [m].
+  long scatterers = 1;       ///< Evenly drawn over the length, each with its share of the cross-section.
+  double fading_time = 0.1;  ///< In which a scatterer's fluctuation falls to 1/e [s]; of Swerling 1 and 3.
+};
+
 /// One thing that echoes. The name is unique and keys its random numbers.
 struct Target {
   std::string name;
@@ -30,6 +37,7 @@ struct Target {
   Reflection reflection;
   std::shared_ptr<const Trajectory> trajectory;
   Transponder transponder;
+  Body body = {};
 };
 
 }  // namespace radar_sim

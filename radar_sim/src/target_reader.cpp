@@ -176,6 +176,9 @@ Target readTarget(ParameterReader& reader, const ReadingContext& context) {
   target.kind = readKind(reader);
   target.reflection = defaultReflection(target.kind);
   readReflection(reader, target.reflection, true);
+  reader.number("length_m", target.body.length, 0.0, 2000.0);
+  reader.integer("scatterers", target.body.scatterers, 1, 10000);
+  reader.number("fading_time_s", target.body.fading_time, 1e-4, 1e4);
   target.trajectory = readTrajectory(reader, context);
   target.transponder = defaultTransponder(target.kind);
   readTransponder(reader, context, target.transponder);

@@ -68,6 +68,7 @@ WindowReading DetectionWindow::search(const RangeProfile& profile, BinSpan span)
   WindowReading reading;
   reading.first_bin = brightestWindow(span);
   reading.total_power = sum(reading.first_bin, reading.first_bin + bins_);
+  reading.rest_power = power_sums_.back() - reading.total_power;
   const double background = backgroundAt(reading.first_bin);
   reading.power = reading.total_power - background;
   reading.range = reading.power > 0.0

@@ -20,6 +20,7 @@ struct WindowReading {
   std::size_t first_bin = 0;  ///< r_max
   double power = 0.0;         ///< S0(r_max) [m²]
   double total_power = 0.0;   ///< C0(r_max) [m²]
+  double rest_power = 0.0;    ///< In all bins of the profile outside the window [m²].
   double range = 0.0;         ///< R, eq. (7) [m]. NaN when S0 is not positive.
 };
 

@@ -34,6 +34,8 @@ void assemble(Square<2 * N>& covariance, const Square<N>& position, const Square
   covariance.template bottomRightCorner<N, N>() = velocity;
 }
 
+Square<1> inverseOf(const Square<1>& s) { return s.cwiseInverse(); }
+
 Square<2> inverseOf(const Square<2>& s) {
   Square<2> inverse;
   inverse << s(1, 1), -s(0, 1), -s(1, 0), s(0, 0);
@@ -105,6 +107,10 @@ void update(MotionState<N>& state, const PositionMeasurement<N>& measurement, co
   assemble<N>(state.covariance, symmetric<N>(keep * position), keep * cross, symmetric<N>(velocity));
 }
 
+template LinearState startState(const LinearMeasurement&, double);
+template void predict(LinearState&, double, double);
+template LinearInnovation innovation(const LinearState&, const LinearMeasurement&);
+template void update(LinearState&, const LinearMeasurement&, const LinearInnovation&);
 template PlanarState startState(const PlanarMeasurement&, double);
 template void predict(PlanarState&, double, double);
 template PlanarInnovation innovation(const PlanarState&, const PlanarMeasurement&);

@@ -4,7 +4,7 @@
 
 namespace tws {
 
-/// State of the constant-velocity Kalman filter in N dimensions (2 or 3): position [m], then velocity [m/s] along the
+/// State of the constant-velocity Kalman filter in N dimensions (1 to 3): position [m], then velocity [m/s] along the
 /// same axes; x east, y north, z up where they are those of the map.
 template <int N>
 struct MotionState {
@@ -32,6 +32,9 @@ struct Innovation {
   double nis = 0.0;                        // normalised innovation squared, χ² with N degrees of freedom
 };
 
+using LinearState = MotionState<1>;
+using LinearMeasurement = PositionMeasurement<1>;
+using LinearInnovation = Innovation<1>;
 using PlanarState = MotionState<2>;
 using PlanarMeasurement = PositionMeasurement<2>;
 using PlanarInnovation = Innovation<2>;
@@ -48,7 +51,7 @@ PlanarMeasurement convertedMeasurement(double range, double azimuth, double sigm
 /// measured place.
 PlanarMeasurement unbiasedMeasurement(double range, double azimuth, double sigma_range, double sigma_azimuth);
 
-// What follows is there for N = 2 and N = 3.
+// What follows is there for N = 1, 2 and 3.
 
 /// A track's first state: at the measurement, velocity 0 with this standard deviation in each axis [m/s].
 template <int N>

@@ -104,6 +104,30 @@ TEST(SpatialKalman, AgreesWithTheDenseTextbookFilterOverManySteps) {
   }
 }
 
+// Each axis of the planar filter is a filter of its own: along x alone it must do the same.
+TEST(LinearKalman, DoesWhatThePlanarFilterDoesAlongOneAxis) {
+  auto generator = seededGenerator();
+  const auto measurement = [](double place) {
+    LinearMeasurement z;
+    z.position << place;
+    z.covariance << 25.0;
+    return z;
+  };
+  LinearState line = startState(measurement(1e3), 50.0);
+  PlanarState plane = startState(PlanarMeasurement{{1e3, 0.0}, 25.0 * Eigen::Matrix2d::Identity()}, 50.0);
+  for (int step = 0; step < 50; ++step) {
+    const double place = 1e3 + uniform(generator, -20.0, 20.0);
+    predict(line, 0.1, 7.0);
+    predict(plane, 0.1, 7.0);
+    const PlanarMeasurement planar{{place, 0.0}, 25.0 * Eigen::Matrix2d::Identity()};
+    update(line, measurement(place), innovation(line, measurement(place)));
+    update(plane, planar, innovation(plane, planar));
+    EXPECT_NEAR(line.mean[0], plane.mean[0], 1e-9);
+    EXPECT_NEAR(line.mean[1], plane.mean[2], 1e-9);
+    EXPECT_NEAR(line.covariance(1, 1), plane.covariance(2, 2), 1e-9);
+  }
+}
+
 TEST(PlanarKalman, PredictsInTwoHalvesWhatItPredictsAtOnce) {
   PlanarState once = startState(convertedMeasurement(3e4, 1.0, 40.0, 0.003), 150.0);
   once.mean << 1e4, 2e4, -100.0, 50.0;

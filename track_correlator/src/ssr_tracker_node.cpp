@@ -8,9 +8,9 @@
 #include <deque>
 #include <optional>
 
+#include <tws_core/run_guard.h>
 #include <tws_core/sectors.h>
 
-#include "run_guard.h"
 #include "secondary_messages.h"
 #include "secondary_params_reader.h"
 
@@ -87,9 +87,9 @@ class SsrTrackerNode::Impl {
   }
 
   bool fits(const tws_msgs::SsrPlots& message) {
-    const RunGuard::Verdict verdict = guard_.judge(0, tws_runtime::toSeconds(message.header.stamp));
-    if (verdict == RunGuard::Verdict::kTake) return true;
-    if (verdict == RunGuard::Verdict::kNewRun) {
+    const tws::RunGuard::Verdict verdict = guard_.judge(0, tws_runtime::toSeconds(message.header.stamp));
+    if (verdict == tws::RunGuard::Verdict::kTake) return true;
+    if (verdict == tws::RunGuard::Verdict::kNewRun) {
       bus_.counter("new runs").add("time has gone back" + where(message));
       begin();
       return true;
@@ -152,7 +152,7 @@ class SsrTrackerNode::Impl {
   NodeParams params_;
   std::string topic_;
   std::string frame_;  // of the radar's site
-  RunGuard guard_;
+  tws::RunGuard guard_;
   tws_runtime::Publisher<tws_msgs::Tracks> tracks_;
   std::deque<SecondaryReport> waiting_;
   std::optional<Site> site_;

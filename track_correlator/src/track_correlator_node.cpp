@@ -1,5 +1,6 @@
 #include <track_correlator/track_correlator_node.h>
 
+#include <tws_core/run_guard.h>
 #include <tws_core/sectors.h>
 #include <tws_core/time_order.h>
 #include <tws_msgs/CorrelatedTracks.h>
@@ -15,7 +16,6 @@
 
 #include "correlator_messages.h"
 #include "correlator_params_reader.h"
-#include "run_guard.h"
 
 namespace track_correlator {
 namespace {
@@ -108,12 +108,12 @@ class TrackCorrelatorNode::Impl {
   void queue(std::size_t stream, const std::string& topic, ros::Time stamp, Input input) {
     const double time = tws_runtime::toSeconds(stamp);
     const std::string where = " in " + topic + " at " + std::to_string(time) + " s";
-    const RunGuard::Verdict verdict = guard_.judge(stream, time);
-    if (verdict == RunGuard::Verdict::kMad || verdict == RunGuard::Verdict::kOldRun) {
+    const tws::RunGuard::Verdict verdict = guard_.judge(stream, time);
+    if (verdict == tws::RunGuard::Verdict::kMad || verdict == tws::RunGuard::Verdict::kOldRun) {
       bus_.counter("stray messages").add("the stamp is out of line" + where);
       return;
     }
-    if (verdict == RunGuard::Verdict::kNewRun) {
+    if (verdict == tws::RunGuard::Verdict::kNewRun) {
       bus_.counter("new runs").add("time has gone back" + where);
       begin();
     }
@@ -210,7 +210,7 @@ class TrackCorrelatorNode::Impl {
 
   Bus& bus_;
   NodeParams params_;
-  RunGuard guard_;
+  tws::RunGuard guard_;
   tws::TimeOrder<Input> order_;
   tws_runtime::Publisher<tws_msgs::CorrelatedTracks> out_;
   std::array<double, 3> stream_time_ = {};

@@ -20,6 +20,8 @@ namespace radar_sim {
 
 class ArrayLoop;
 struct ArrayReport;
+class RangeLoop;
+struct RangeReport;
 struct Scenario;
 struct SecondarySectorReport;
 struct SectorReport;
@@ -28,8 +30,9 @@ class Simulation;
 class TrackFeed;
 
 /// The simulator as a source of messages: of each radar its detections (a secondary one: plots) and sector marks, the
-/// truth, the radars' frames, of an array radar its dwell reports, planned by the track database that it hears, and
-/// where the scenario feeds tracks, these. Parameters (see the README): scenario, seed, duration.
+/// truth, the radars' frames, of an array radar its dwell reports, planned by the track database that it hears, of
+/// a range radar its profiles, whose gate goes where it is told to, and where the scenario feeds tracks, these.
+/// Parameters (see the README): scenario, seed, duration.
 class RadarSimNode : public tws_runtime::Source {
  public:
   /// Throws tws_runtime::ParameterError for a wrong parameter or scenario file.
@@ -48,6 +51,8 @@ class RadarSimNode : public tws_runtime::Source {
   /// Whether the scenario feeds tracks, on /primary/tracks and /secondary/tracks.
   bool feedsTracks() const;
   std::vector<std::string> arrayRadars() const;
+  /// Names of those that measure range profiles.
+  std::vector<std::string> rangeRadars() const;
   /// Data time from start to end [s].
   double duration() const;
 
@@ -72,6 +77,7 @@ class RadarSimNode : public tws_runtime::Source {
   void feedTracks(const SectorReport& report);
   void publish(const SecondarySectorReport& report);
   void publish(const ArrayReport& report);
+  void publish(const RangeReport& report);
   void publish(const TruthReport& report);
 
   std::unique_ptr<const Scenario> scenario_;
@@ -80,6 +86,7 @@ class RadarSimNode : public tws_runtime::Source {
   std::vector<SecondaryTopics> secondary_topics_;
   std::vector<Feed> feeds_;
   std::deque<ArrayLoop> array_loops_;
+  std::deque<RangeLoop> range_loops_;
   tws_runtime::Publisher<tws_msgs::Truth> truth_topic_;
 };
 

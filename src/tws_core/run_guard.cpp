@@ -1,9 +1,9 @@
-#include "run_guard.h"
+#include <tws_core/run_guard.h>
 
 #include <algorithm>
 #include <cmath>
 
-namespace track_correlator {
+namespace tws {
 namespace {
 
 // A feed may pause; a stamp further ahead must be confirmed by the next one.
@@ -30,4 +30,4 @@ RunGuard::Verdict RunGuard::judge(std::size_t stream, double time) {
   return back ? Verdict::kNewRun : Verdict::kTake;
 }
 
-}  // namespace track_correlator
+}  // namespace tws

@@ -1,8 +1,8 @@
-#include "run_guard.h"
+#include <tws_core/run_guard.h>
 
 #include <gtest/gtest.h>
 
-namespace track_correlator {
+namespace tws {
 namespace {
 
 using Verdict = RunGuard::Verdict;
@@ -47,4 +47,4 @@ TEST(RunGuard, GoesOnBehindAPauseOfTheFeed) {
 }
 
 }  // namespace
-}  // namespace track_correlator
+}  // namespace tws

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-namespace track_correlator {
+namespace tws {
 
 /// Tells the messages of one run from mad stamps and from those of a run that begins anew, for several streams.
 ///
@@ -31,4 +31,4 @@ class RunGuard {
   std::optional<double> newest_;
 };
 
-}  // namespace track_correlator
+}  // namespace tws

@@ -1,0 +1,122 @@
+#include "range_gate_tracker.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+namespace range_gate_tracker {
+namespace {
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+void require(bool good, const std::string& reason) {
+  if (!good) throw std::invalid_argument(reason);
+}
+
+std::size_t windowBins(double window, double bin_size) {
+  return static_cast<std::size_t>(std::max(1.0, std::round(window / bin_size)));
+}
+
+/// Share of the window's power that exceeds what as many bins of the rest of the gate hold, 0 .. 1.
+double qualityOf(const WindowReading& reading, const RangeProfile& profile, std::size_t bins) {
+  const std::size_t rest = profile.amplitude.size() - bins;
+  if (rest == 0 || reading.total_power <= 0.0) return 0.0;
+  const double level = reading.rest_power / static_cast<double>(rest) * static_cast<double>(bins);
+  return std::max(0.0, 1.0 - level / reading.total_power);
+}
+
+}  // namespace
+
+RangeGateTracker::RangeGateTracker(const RangeGateParams& params)
+    : params_(params), window_(1, params.background), filter_(makeFilter(params)), search_(params) {}
+
+GateReport RangeGateTracker::process(const RangeProfile& profile) {
+  check(profile);
+  const std::size_t bins = windowBins(params_.window, profile.bin_size);
+  if (bins != window_.bins()) window_ = DetectionWindow(bins, params_.background);
+  const WindowReading reading = window_.search(profile, spanToLookAt(profile, bins));
+  if (!time_) search_.begin(0.5 * (profile.range_min + profile.rangeMax()), profile.time);
+  const double dt = time_ ? profile.time - *time_ : 0.0;
+  time_ = profile.time;
+  const std::optional<double> measured = measuredRange(reading, profile);
+  lock_ == Lock::kSearching ? seek(measured, dt) : follow(measured, dt);
+  if (measured) last_measured_ = *measured;
+  if (measured) last_seen_ = profile.time;
+  return report(reading, measured, profile);
+}
+
+void RangeGateTracker::check(const RangeProfile& profile) const {
+  require(std::isfinite(profile.time), "the time is " + std::to_string(profile.time));
+  require(!time_ || profile.time > *time_, "the time is not later than that of the profile before");
+  require(std::isfinite(profile.range_min), "range_min is " + std::to_string(profile.range_min));
+  require(std::isfinite(profile.bin_size) && profile.bin_size > 0.0,
+          "bin_size is " + std::to_string(profile.bin_size) + ", wanted: above 0");
+}
+
+BinSpan RangeGateTracker::spanToLookAt(const RangeProfile& profile, std::size_t bins) const {
+  if (lock_ == Lock::kSearching || std::isinf(params_.jump_limit)) return {};
+  const double reach = params_.jump_limit + params_.velocity_limit * (profile.time - last_seen_);
+  const auto firstBin = [&](double centre) {
+    const double bin = (centre - profile.range_min) / profile.bin_size - 0.5 * static_cast<double>(bins);
+    return static_cast<std::size_t>(std::clamp(bin, 0.0, static_cast<double>(profile.amplitude.size())));
+  };
+  return {firstBin(last_measured_ - reach), firstBin(last_measured_ + reach)};
+}
+
+// The report's threshold. A range outside its own window, which a background of mere noise can lead to, is none either.
+std::optional<double> RangeGateTracker::measuredRange(const WindowReading& reading, const RangeProfile& profile) const {
+  if (reading.power < params_.threshold || !(reading.power > 0.0)) return std::nullopt;
+  const double start = profile.range_min + static_cast<double>(reading.first_bin) * profile.bin_size;
+  const double end = start + static_cast<double>(window_.bins()) * profile.bin_size;
+  return reading.range >= start && reading.range <= end ? std::optional<double>(reading.range) : std::nullopt;
+}
+
+void RangeGateTracker::follow(std::optional<double> measured, double dt) {
+  std::visit([&](auto& filter) { measured ? filter.update(*measured, dt) : filter.coast(dt); }, filter_);
+  lock_ = measured ? Lock::kLocked : Lock::kCoasting;
+  if (measured || *time_ - last_seen_ <= params_.coast_time) return;
+  lock_ = Lock::kSearching;
+  agreeing_ = 0;
+  search_.begin(std::visit([](const auto& filter) { return filter.range(); }, filter_), last_seen_);
+}
+
+void RangeGateTracker::seek(std::optional<double> measured, double dt) {
+  const double reach = params_.window + params_.velocity_limit * dt;
+  const bool agrees = measured && agreeing_ > 0 && std::abs(*measured - last_measured_) <= reach;
+  agreeing_ = !measured ? 0 : agrees ? agreeing_ + 1 : 1;
+  if (agreeing_ < params_.confirming_profiles) return;
+  std::visit([&](auto& filter) { filter.start(*measured); }, filter_);
+  lock_ = Lock::kLocked;
+}
+
+RangeInterval RangeGateTracker::nextGate() const {
+  if (lock_ == Lock::kSearching && agreeing_ > 0) return gateAbout(last_measured_, params_.gate_length, params_);
+  if (lock_ == Lock::kSearching) return search_.gate(*time_);
+  const double centre = std::visit([&](const auto& f) { return f.predicted(params_.prediction_time); }, filter_);
+  return gateAbout(centre, lengthAfter(*time_ - last_seen_, params_), params_);
+}
+
+GateReport RangeGateTracker::report(const WindowReading& reading, std::optional<double> measured,
+                                    const RangeProfile& profile) const {
+  GateReport report;
+  report.time = profile.time;
+  report.lock = lock_;
+  report.gate = nextGate();
+  report.measured = measured.value_or(kNaN);
+  report.power = reading.power;
+  report.quality = qualityOf(reading, profile, window_.bins());
+  report.smoothed = report.predicted = report.rate = kNaN;
+  if (lock_ == Lock::kSearching) return report;
+  std::visit(
+      [&](const auto& filter) {
+        report.smoothed = filter.range();
+        report.predicted = filter.predicted(params_.prediction_time);
+        report.rate = filter.rate();
+      },
+      filter_);
+  return report;
+}
+
+}  // namespace range_gate_tracker
