@@ -55,6 +55,7 @@ TEST(OpenFrame, BeamPointsHoldUntilTheFastestTargetHasCrossedTheWidestBeam) {
 
 TEST(OpenFrame, AllowanceStaysBetweenItsBoundsInResourcePeriods) {
   FrameBuilderParams params;
+  params.alpha_0 = 1.0;
   params.least_allowance_periods = 2;
   params.greatest_allowance_periods = 7;
   OpenFrame slow(0, params), fast(0, params), blind(0, params);

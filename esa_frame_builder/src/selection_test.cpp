@@ -32,9 +32,16 @@ std::vector<std::vector<double>> keptRanges(const Frame& frame) {
 using Ranges = std::vector<std::vector<double>>;
 constexpr double kKm = 1000.0;
 
+/// Footprints as wide as a beam on either side, for round numbers.
+FrameBuilderParams wideFootprints() {
+  FrameBuilderParams params;
+  params.alpha_0 = 1.0;
+  return params;
+}
+
 // Footprints of radius 0.02 about u = 0 and u = 0.03, errors of 0.002: what lies between 0.01 and 0.02 is in both.
 TEST(Selection, OfTwoBeamsKeepsTheOneWithMoreInTheOverlap) {
-  const FrameBuilderParams params;
+  const FrameBuilderParams params = wideFootprints();
   const Dwell first =
       dwellAt(0.0, 0.0, 0.0, {measurementAt(10 * kKm, -0.005, 0.0), measurementAt(11 * kKm, 0.015, 0.0, 900)});
   const Dwell second = dwellAt(0.0, 0.03, 0.0,
@@ -47,7 +54,7 @@ TEST(Selection, OfTwoBeamsKeepsTheOneWithMoreInTheOverlap) {
 }
 
 TEST(Selection, OfEqualNumbersKeepsTheGreaterSumOfSnrAndThenTheEarlierDwell) {
-  const FrameBuilderParams params;
+  const FrameBuilderParams params = wideFootprints();
   const auto frame = [&](double snr_a, double snr_b) {
     const Dwell a =
         dwellAt(0.0, 0.0, 0.0, {measurementAt(10 * kKm, 0.013, 0.0, 5), measurementAt(11 * kKm, 0.015, 0.0, snr_a)});
@@ -62,7 +69,7 @@ TEST(Selection, OfEqualNumbersKeepsTheGreaterSumOfSnrAndThenTheEarlierDwell) {
 
 // Beams at the corners of a triangle with sides of 0.02. A1: beam 1 alone; A4: beams 1 and 2; A7: all three.
 TEST(Selection, OfThreeBeamsSelectsInEachOfTheRegionsByItself) {
-  const FrameBuilderParams params;
+  const FrameBuilderParams params = wideFootprints();
   const auto a1 = [](double km) { return measurementAt(km * kKm, -0.015, 0.0); };
   const auto a4 = [](double km) { return measurementAt(km * kKm, 0.01, -0.01); };
   const auto a7 = [](double km, double snr) { return measurementAt(km * kKm, 0.01, 0.006, snr); };
@@ -76,7 +83,7 @@ TEST(Selection, OfThreeBeamsSelectsInEachOfTheRegionsByItself) {
 
 // By hand: 0.02 + (1000 m/s / 10 km)·0.1 s + √(9.21·0.5e-6) = 0.03215.
 TEST(Selection, WidensTheFootprintByMotionAndError) {
-  const FrameBuilderParams params;
+  const FrameBuilderParams params = wideFootprints();
   const Dwell n = dwellAt(7.0, 0.0, 0.0), k = dwellAt(6.9, 0.03, 0.0);
   const double rate = 1000.0 / 10e3;
   EXPECT_TRUE(isInFootprint(measurementAt(10e3, 0.03214, 0.0), k, n, rate, params));
@@ -86,7 +93,7 @@ TEST(Selection, WidensTheFootprintByMotionAndError) {
 
 // If this fails, a dwell that saw nothing vanishes, and with it the misses of the tracks in its beam.
 TEST(Selection, KeepsTheFieldOfViewOfEveryDwell) {
-  const FrameBuilderParams params;
+  const FrameBuilderParams params = wideFootprints();
   const Dwell saw = dwellAt(0.0, 0.0, 0.0, {measurementAt(10e3, 0.0, 0.0, 9)});
   const Dwell lost = dwellAt(0.0, 0.012, 0.0, {measurementAt(10e3, 0.0, 0.0, 3)});
   const Frame frame = selected(frameOf({dwellAt(0.0, 0.5, 0.5), saw, lost}, params), params);
@@ -192,7 +199,7 @@ TEST(Selection, AgreesWithTheEquationsReadSetBySet) {
 
 TEST(Selection, WorksTheSameAmongHundredsOfBeamsElsewhere) {
   auto generator = tws::seededGenerator();
-  const FrameBuilderParams params;
+  const FrameBuilderParams params = wideFootprints();
   const std::vector<Dwell> near = randomDwells(generator, 6);
   std::vector<Dwell> all;
   for (std::size_t k = 0; k < near.size(); ++k) {
