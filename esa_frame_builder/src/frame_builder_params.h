@@ -17,7 +17,7 @@ struct FrameBuilderParams {
   Algorithm algorithm = Algorithm::kAcrossPeriods;
   double gamma_u = 1.0, gamma_v = 1.0;  // γ_U, γ_V of the coarse test (1), (2) [beamwidths], 0..1
   double gamma_theta = 0.5;             // γ_Θ of the fine test (6): overlap that is merged, 0..1
-  double alpha_0 = 0.7;                 // α0 of the footprints (8); Θ is a full width, so 0.5 is the half-power edge
+  double alpha_0 = 0.7;                 // α0 of (8); Θ is a full width: 0.5 is the half-power edge
   double max_speed = 1000.0;            // v_max [m/s]
   double range_gate_chi2 = 6.63;        // G0 of (3), (4): χ² with one degree of freedom
   double angle_gate_chi2 = 9.21;        // G0 of (7): χ² with two degrees of freedom

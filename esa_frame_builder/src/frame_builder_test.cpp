@@ -203,6 +203,7 @@ class ProperFrames : public testing::TestWithParam<Algorithm> {};
 TEST_P(ProperFrames, HoldNoTargetTwiceThatIsClearOfTheFootprintsEdges) {
   auto generator = tws::seededGenerator();
   FrameBuilderParams params = paramsOf(GetParam());
+  params.alpha_0 = 1.0;
   params.max_speed = 300.0;
   int seen_twice = 0;
   for (int run = 0; run < 1000; ++run) {
