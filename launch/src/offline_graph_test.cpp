@@ -42,6 +42,16 @@ TEST(OfflineGraph, MakesTheSecondaryTrackerAndTheCorrelator) {
   EXPECT_TRUE(offline.graph().isPublished("/correlated/tracks"));
 }
 
+TEST(OfflineGraph, MakesTheFrameBuilderAndTheTrackerOfFrames) {
+  const auto nodes = parseGraph(
+      "- {package: esa_frame_builder, type: frame_builder_node, name: f, remaps: {}, parameters: {radar: a}}\n"
+      "- {package: esa_frame_builder, type: mfa_stub_node, name: m, remaps: {}, parameters: {radar: a}}");
+  std::ostringstream log;
+  OfflineGraph offline(nodes, log);
+  for (const char* topic : {"/a/frames", "/a/tracks", "/a/track_database"})
+    EXPECT_TRUE(offline.graph().isPublished(topic)) << topic;
+}
+
 TEST(OfflineGraph, LeavesOutWhatOnlyALiveGraphHas) {
   std::ostringstream log;
   for (const char* program : {"rosbag/record", "rosbag/play", "rviz/rviz", "tws_rviz/ppi_node"})

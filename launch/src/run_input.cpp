@@ -5,6 +5,7 @@
 #include <rosbag/bag.h>
 #include <rosbag/view.h>
 #include <tws_msgs/Detections.h>
+#include <tws_msgs/DwellReports.h>
 #include <tws_msgs/SsrPlots.h>
 #include <tws_runtime/local_graph.h>
 
@@ -39,6 +40,8 @@ void readScenario(RunInput& input, std::optional<double> duration) {
   std::sort(input.radars.begin(), input.radars.end());
   input.secondary_radars = simulator.secondaryRadars();
   std::sort(input.secondary_radars.begin(), input.secondary_radars.end());
+  input.array_radars = simulator.arrayRadars();
+  std::sort(input.array_radars.begin(), input.array_radars.end());
   input.feeds_tracks = simulator.feedsTracks();
   input.length = simulator.duration();
 }
@@ -49,6 +52,9 @@ void readBag(RunInput& input, std::optional<double> duration) try {
   input.radars = firstParts(view);
   rosbag::View plots(bag, rosbag::TypeQuery(ros::message_traits::datatype<tws_msgs::SsrPlots>()));
   input.secondary_radars = firstParts(plots);
+  rosbag::View dwells(bag, rosbag::TypeQuery(ros::message_traits::datatype<tws_msgs::DwellReports>()));
+  input.array_radars = firstParts(dwells);
+  view.addQuery(bag, rosbag::TypeQuery(ros::message_traits::datatype<tws_msgs::DwellReports>()));
   input.feeds_tracks = rosbag::View(bag, rosbag::TopicQuery("/primary/tracks")).size() > 0;
   if (view.size() > 0) input.length = (view.getEndTime() - view.getBeginTime()).toSec();
   input.length = std::min(input.length, duration.value_or(input.length));
@@ -84,7 +90,7 @@ RunInput inspectInput(const std::string& path, std::optional<double> duration) {
     readBag(input, duration);
   else
     input.is_recording ? readRecording(input, duration) : readScenario(input, duration);
-  if (input.radars.empty()) throw std::runtime_error(path + ": no rotating radar in it");
+  if (input.radars.empty() && input.array_radars.empty()) throw std::runtime_error(path + ": no primary radar in it");
   return input;
 }
 

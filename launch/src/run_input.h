@@ -13,6 +13,7 @@ struct RunInput {
   bool is_recording = false;        ///< Of ASTERIX.
   std::vector<std::string> radars;  ///< Names of the rotating radars, by name; of a recording only the busiest one.
   std::vector<std::string> secondary_radars;  ///< Of a scenario or bag, by name.
+  std::vector<std::string> array_radars;      ///< Electronically scanned, of a scenario or bag, by name.
   bool feeds_tracks = false;                  ///< Primary and secondary tracks come with it, in place of trackers.
   double length = 0.0;                        ///< Data time from start to end [s].
 };
@@ -26,7 +27,7 @@ bool isRecording(const std::string& path);
 
 /// Reads a scenario, a bag or an ASTERIX recording, of which a run may be limited to a `duration` [s]. Throws
 /// std::runtime_error, one line that names the file and, in a scenario, the line, when it cannot be read, is wrong or
-/// has no rotating radar.
+/// has no primary radar.
 RunInput inspectInput(const std::string& path, std::optional<double> duration = std::nullopt);
 
 }  // namespace tws_launch

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <rosbag/bag.h>
 #include <tws_msgs/Detections.h>
+#include <tws_msgs/DwellReports.h>
 #include <tws_msgs/SsrPlots.h>
 #include <tws_msgs/Tracks.h>
 
@@ -57,6 +58,22 @@ TEST(RunInput, SaysWhetherAScenarioOrABagFeedsTracks) {
   EXPECT_TRUE(inspectInput(folder.file("run.bag")).feeds_tracks);
 }
 
+// If this fails, an array's dwells are neither framed nor tracked nor recorded.
+TEST(RunInput, NamesTheArrayRadarsOfAScenarioAndOfABagThatMayHaveNoOthers) {
+  const TemporaryFolder folder;
+  const RunInput scenario = inspectInput(folder.write("esa.yaml", "array_radars: [{name: z}, {name: e}]\n"));
+  EXPECT_EQ(scenario.array_radars, (std::vector<std::string>{"e", "z"}));
+  EXPECT_TRUE(scenario.radars.empty());
+  rosbag::Bag bag(folder.file("run.bag"), rosbag::bagmode::Write);
+  bag.write("/esa/dwell_reports", ros::Time(100.0), tws_msgs::DwellReports());
+  bag.write("/esa/dwell_reports", ros::Time(120.0), tws_msgs::DwellReports());
+  bag.close();
+  const RunInput recorded = inspectInput(folder.file("run.bag"));
+  EXPECT_EQ(recorded.array_radars, (std::vector<std::string>{"esa"}));
+  EXPECT_TRUE(recorded.radars.empty());
+  EXPECT_EQ(recorded.length, 20.0);
+}
+
 // If this fails, the progress shown knows no end.
 TEST(RunInput, OfAScenarioThatDoesNotSayHasTheSimulatorsLength) {
   const TemporaryFolder folder;
@@ -83,7 +100,7 @@ TEST(RunInput, OfABagHasTheRadarsOfItsDetectionsAndTheTimeBetweenFirstAndLast) {
 TEST(RunInput, WithoutARadarIsRefused) {
   const TemporaryFolder folder;
   const std::string path = folder.write("none.yaml", "duration_s: 42\n");
-  EXPECT_EQ(reasonOfRefusal(path), path + ": no rotating radar in it");
+  EXPECT_EQ(reasonOfRefusal(path), path + ": no primary radar in it");
 }
 
 TEST(RunInput, ThatCannotBeReadIsRefusedByName) {

@@ -42,9 +42,9 @@ RunSummary RunSummary::ofBag(const std::string& path) {
   try {
     const rosbag::Bag bag(path);
     for (const rosbag::MessageInstance& instance : rosbag::View(bag))
-      addAs<tws_msgs::Detections>(summary, instance) || addAs<tws_msgs::Tracks>(summary, instance) ||
-          addAs<tws_msgs::CorrelatedTracks>(summary, instance) || addAs<tws_msgs::ClutterMap>(summary, instance) ||
-          addAs<diagnostic_msgs::DiagnosticArray>(summary, instance);
+      addAs<tws_msgs::Detections>(summary, instance) || addAs<tws_msgs::DwellReports>(summary, instance) ||
+          addAs<tws_msgs::Tracks>(summary, instance) || addAs<tws_msgs::CorrelatedTracks>(summary, instance) ||
+          addAs<tws_msgs::ClutterMap>(summary, instance) || addAs<diagnostic_msgs::DiagnosticArray>(summary, instance);
   } catch (const rosbag::BagException& error) {
     throw std::runtime_error(path + ": " + error.what());
   }
@@ -52,11 +52,26 @@ RunSummary RunSummary::ofBag(const std::string& path) {
 }
 
 void RunSummary::add(const tws_msgs::Detections& message) {
-  if (first_.isZero()) first_ = message.header.stamp;
-  last_ = std::max(last_, message.header.stamp);
+  beAlive(message.header.stamp);
   Radar& radar = radars_[message.radar];
   ++radar.sectors;
   radar.plots += message.detections.size();
+}
+
+void RunSummary::add(const tws_msgs::DwellReports& message) {
+  beAlive(message.header.stamp);
+  Array& array = arrays_[message.radar];
+  ++array.periods;
+  array.dwells += message.dwells.size();
+  for (const tws_msgs::DwellReport& dwell : message.dwells) {
+    array.track_dwells += dwell.is_track_dwell ? 1 : 0;
+    array.measurements += dwell.measurements.size();
+  }
+}
+
+void RunSummary::beAlive(ros::Time stamp) {
+  if (first_.isZero()) first_ = stamp;
+  last_ = std::max(last_, stamp);
 }
 
 void RunSummary::add(const tws_msgs::Tracks& message) {
@@ -94,6 +109,7 @@ double RunSummary::simulatedTime() const { return (last_ - first_).toSec(); }
 std::uint64_t RunSummary::plots() const {
   std::uint64_t plots = 0;
   for (const auto& [name, radar] : radars_) plots += radar.plots;
+  for (const auto& [name, array] : arrays_) plots += array.measurements;
   return plots;
 }
 
@@ -115,7 +131,8 @@ void RunSummary::print(std::ostream& out, const std::vector<tws_runtime::Counter
   out << "simulated time " << oneDecimal(simulatedTime()) << " s";
   if (wall_time) out << ", wall time " << oneDecimal(*wall_time) << " s";
   out << '\n';
-  printRadars(out);
+  if (!radars_.empty() || arrays_.empty()) printRadars(out);
+  if (!arrays_.empty()) printArrays(out);
   printTrackers(out);
   printCorrelator(out);
   std::vector<tws_runtime::CounterReading> counted;
@@ -130,6 +147,15 @@ void RunSummary::printRadars(std::ostream& out) const {
     const double time = simulatedTime();
     printRow(out, name, radar.sectors, radar.plots,
              time > 0.0 ? oneDecimal(static_cast<double>(radar.plots) / time) : "-");
+  }
+}
+
+void RunSummary::printArrays(std::ostream& out) const {
+  printRow(out, "array", "periods", "dwells", "on tracks", "measured", "measured/s");
+  for (const auto& [name, array] : arrays_) {
+    const double time = simulatedTime();
+    printRow(out, name, array.periods, array.dwells, array.track_dwells, array.measurements,
+             time > 0.0 ? oneDecimal(static_cast<double>(array.measurements) / time) : "-");
   }
 }
 

@@ -53,6 +53,22 @@ std::vector<double> row(const std::string& table, const std::string& name) {
   return {};
 }
 
+TEST(RunSummary, CountsDwellsAndMeasurementsOfEachArray) {
+  tws_msgs::DwellReports period;
+  period.radar = "esa";
+  period.dwells.resize(3);
+  period.dwells[1].is_track_dwell = true;
+  period.dwells[1].measurements.resize(5);
+  RunSummary summary;
+  for (const double time : {10.0, 12.0}) {
+    period.header.stamp = ros::Time(time);
+    summary.add(period);
+  }
+  EXPECT_EQ(summary.plots(), 10U);
+  EXPECT_EQ(summary.simulatedTime(), 2.0);
+  EXPECT_EQ(row(printed(summary), "esa"), (std::vector<double>{2, 6, 2, 10, 5.0}));
+}
+
 TEST(RunSummary, CountsSectorsAndPlotsOfEachRadarAndTheTimeBetweenFirstAndLast) {
   RunSummary summary;
   summary.add(detections("a", 10.0, 2));

@@ -24,6 +24,7 @@ int main(int argc, char** argv) {
     // Not a word of them where there are none: the launch file for recordings does not know the argument.
     if (!input.secondary_radars.empty())
       std::cout << "\nsecondary_radars:=" << tws_launch::joined(input.secondary_radars);
+    if (!input.array_radars.empty()) std::cout << "\narray_radars:=" << tws_launch::joined(input.array_radars);
     if (input.feeds_tracks) std::cout << "\nfed:=true";
     std::cout << "\nlength:=" << input.length << std::endl;
     return 0;

@@ -45,7 +45,10 @@ std::vector<tws_launch::NodeDescription> describe(const Options& options, const 
   std::vector<std::string> arguments{"radars:=" + tws_launch::joined(input.radars), "params:=" + options.params,
                                      "rviz:=false", "length:=" + std::to_string(input.length),
                                      argument + ":=" + input.path};
-  if (!input.is_recording) arguments.push_back("secondary_radars:=" + tws_launch::joined(input.secondary_radars));
+  if (!input.is_recording) {
+    arguments.push_back("secondary_radars:=" + tws_launch::joined(input.secondary_radars));
+    arguments.push_back("array_radars:=" + tws_launch::joined(input.array_radars));
+  }
   if (input.feeds_tracks) arguments.emplace_back("fed:=true");
   if (!options.correlator.empty())
     arguments.push_back("correlator:=" + std::filesystem::absolute(options.correlator).string());
