@@ -70,9 +70,14 @@ double ArrayRadar::detectionProbability(std::size_t target, double time) const {
   const Target& it = targets_[target];
   if (isBlindAt(time) || !it.trajectory->existsAt(time)) return 0.0;
   const tws::Ruv place = placeOf(it, time);
-  if (!isInReach(it, place, time) || !canSteer(params_, directionOf(place))) return 0.0;
+  if (!isInReach(it, place, time) || !isSearched(directionOf(place))) return 0.0;
   return radar_sim::detectionProbability(it.reflection.fluctuation, meanSnr(target, directionOf(place), place),
                                          params_.false_alarm_probability);
+}
+
+bool ArrayRadar::isSearched(const BeamPoint& direction) const {
+  return canSteer(params_, direction) && direction.u >= params_.search_u_from && direction.u <= params_.search_u_to &&
+         direction.v >= params_.search_v_from && direction.v <= params_.search_v_to;
 }
 
 bool ArrayRadar::isInReach(const Target& target, const tws::Ruv& place, double time) const {

@@ -82,8 +82,8 @@ class ArrayRadar {
   tws::Ruv placeOf(const Target& target, double time) const;
   /// The same as range, azimuth and elevation at the site.
   tws::Polar polarOf(const Target& target, double time) const;
-  /// Chance that a dwell with the target in its beam's centre detects it; 0 out of reach, for a target that does not
-  /// exist, and while the radar is silent or misses scans.
+  /// Chance that a dwell with the target in its beam's centre detects it; 0 out of reach, where the array does not
+  /// search, for a target that does not exist, and while the radar is silent or misses scans.
   double detectionProbability(std::size_t target, double time) const;
 
  private:
@@ -98,6 +98,7 @@ class ArrayRadar {
 
   double timeOf(std::uint32_t period) const { return start_time_ + period * params_.resource_period; }
   bool isBlindAt(double time) const { return isSilentAt(time) || isFaulty(faults_, FaultKind::kMissedScan, time); }
+  bool isSearched(const BeamPoint& direction) const;
   bool isInReach(const Target& target, const tws::Ruv& place, double time) const;
   std::vector<SteerableTrack> steerable(double time) const;
   double meanSnr(std::size_t target, const BeamPoint& beam, const tws::Ruv& place) const;

@@ -24,10 +24,10 @@ ArrayParams params() {
   array.reference_snr = 100.0;
   array.reference_range = 50e3;
   array.false_alarms_per_dwell = 0.0;
-  array.search_u_from = 0.3;
-  array.search_u_to = 0.4;
-  array.search_v_from = 0.3;
-  array.search_v_to = 0.4;
+  array.search_u_from = -0.2;
+  array.search_u_to = 0.2;
+  array.search_v_from = -0.2;
+  array.search_v_to = 0.2;
   return array;
 }
 
@@ -224,6 +224,13 @@ TEST_F(ArrayRadarTest, AMissedScanHasDwellsWithoutMeasurementsAndAnOutageIsSilen
   EXPECT_GT(radar.detectionProbability(0, kStart + 1.5), 0.9);
   EXPECT_FALSE(radar.isSilentAt(kStart + 0.5));
   EXPECT_TRUE(radar.isSilentAt(kStart + 2.5));
+}
+
+// Truth asks the tracker for nothing that the radar never looks for.
+TEST_F(ArrayRadarTest, DoesNotPromiseToDetectWhereItDoesNotSearch) {
+  ArrayRadar& radar = make({target("in", 50e3, 0.19), target("out", 50e3, 0.21)}, params());
+  EXPECT_GT(radar.detectionProbability(0, kStart), 0.9);
+  EXPECT_EQ(radar.detectionProbability(1, kStart), 0.0);
 }
 
 // Behind the face there is a mirror image of every direction; seen there, a target would haunt the front.

@@ -4,6 +4,7 @@
 #include <rosbag/view.h>
 #include <tws_msgs/CorrelatedTracks.h>
 #include <tws_msgs/Detections.h>
+#include <tws_msgs/DwellReports.h>
 #include <tws_msgs/SsrPlots.h>
 #include <tws_msgs/Tracks.h>
 
@@ -40,6 +41,7 @@ BagContents inspect(const std::string& path) {
   contents.correlators = namesOf<tws_msgs::CorrelatedTracks>(bag, "tracks");
   contents.radars = namesOf<tws_msgs::Detections>(bag, "detections");
   contents.secondary_radars = namesOf<tws_msgs::SsrPlots>(bag, "plots");
+  contents.array_radars = namesOf<tws_msgs::DwellReports>(bag, "dwell_reports");
   contents.truth = holds(bag, "/truth");
   contents.transforms = holds(bag, "/tf_static");
   return contents;

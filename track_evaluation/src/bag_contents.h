@@ -7,7 +7,7 @@ namespace track_evaluation {
 
 /// What a bag holds that can be evaluated, by the names of nodes, sorted.
 struct BagContents {
-  std::vector<std::string> trackers, correlators, radars, secondary_radars;
+  std::vector<std::string> trackers, correlators, radars, secondary_radars, array_radars;
   bool truth = false;
   std::vector<std::string> topics() const;  ///< All of them, and /tf_static when it is there.
   bool transforms = false;

@@ -41,6 +41,7 @@ YAML::Node parametersFor(const Options& options, const BagContents& contents) {
   found["correlators"] = contents.correlators;
   found["radars"] = contents.radars;
   found["secondary_radars"] = contents.secondary_radars;
+  found["array_radars"] = contents.array_radars;
   const YAML::Node files =
       tws_runtime::mergeParameters(tws_runtime::loadParameterFile(config), tws_runtime::loadParameterFile(limits));
   return tws_runtime::mergeParameters(files, found);

@@ -50,6 +50,7 @@ EvaluationParams readEvaluationParams(const tws_runtime::Bus& bus) {
       reader.fail("correlators", "'" + name + "' is one of the trackers");
   reader.texts("radars", params.radars);
   reader.texts("secondary_radars", params.secondary_radars);
+  reader.texts("array_radars", params.array_radars);
   reader.number("cutoff_m", params.evaluator.cutoff, 1e-3, 1e7);
   reader.number("order", params.evaluator.order, 1.0, 100.0);
   reader.number("from_s", params.evaluator.from, 0.0, 1e6);

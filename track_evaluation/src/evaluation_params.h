@@ -13,7 +13,7 @@ namespace track_evaluation {
 
 /// Of the evaluation node; config/evaluation.yaml explains each.
 struct EvaluationParams {
-  std::vector<std::string> trackers, correlators, radars, secondary_radars;
+  std::vector<std::string> trackers, correlators, radars, secondary_radars, array_radars;
   EvaluatorParams evaluator;  ///< `from` counts from the first epoch.
   TruthFilter filter;
   IdentityParams identity;

@@ -3,6 +3,7 @@
 #include <tws_core/geometry.h>
 #include <tws_runtime/conversions.h>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -83,10 +84,20 @@ void TrackerEvaluation::addUpdates(const tws_msgs::Tracks& message) {
   }
 }
 
+// A tracker of a radar that does not rotate is asked for what that radar covers, all others for what the rotating ones
+// do.
+TruthFilter TrackerEvaluation::filter() const {
+  TruthFilter filter = params_.filter;
+  filter.radars = params_.radars;
+  const auto& arrays = params_.array_radars;
+  if (std::find(arrays.begin(), arrays.end(), radar_) != arrays.end()) filter.radars = {radar_};
+  return filter;
+}
+
 void TrackerEvaluation::take(const tws_msgs::Truth& message) {
   Epoch epoch;
   epoch.time = tws_runtime::toSeconds(message.header.stamp);
-  epoch.truths = truthsOf(message, find_site_(radar_, message.header.frame_id), params_.filter);
+  epoch.truths = truthsOf(message, find_site_(radar_, message.header.frame_id), filter());
   epoch.tracks = picture_.at(epoch.time);
   if (!evaluator_) {
     EvaluatorParams params = params_.evaluator;

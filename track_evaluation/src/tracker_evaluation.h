@@ -54,6 +54,7 @@ class TrackerEvaluation {
   void take(const tws_msgs::Tracks& message);
   void take(const tws_msgs::CorrelatedTracks& message);
   void take(const tws_msgs::Truth& message);
+  TruthFilter filter() const;
   void addUpdates(const tws_msgs::Tracks& message);
 
   const EvaluationParams& params_;

@@ -12,10 +12,21 @@ bool among(const std::vector<std::uint8_t>& kinds, std::uint8_t kind) {
   return std::find(kinds.begin(), kinds.end(), kind) != kinds.end();
 }
 
+/// Which of the truth's radars make the cover.
+std::vector<bool> coverOf(const tws_msgs::Truth& message, const TruthFilter& filter) {
+  std::vector<bool> cover;
+  for (const std::string& radar : message.radars)
+    cover.push_back(std::find(filter.radars.begin(), filter.radars.end(), radar) != filter.radars.end());
+  if (std::find(cover.begin(), cover.end(), true) == cover.end()) cover.assign(cover.size(), true);
+  return cover;
+}
+
 /// Also where nobody says how well a radar sees it.
-bool inCover(const tws_msgs::TruthTarget& target, double least) {
+bool inCover(const tws_msgs::TruthTarget& target, const std::vector<bool>& cover, double least) {
   const auto& chances = target.detection_probability;
-  return chances.empty() || *std::max_element(chances.begin(), chances.end()) >= least;
+  for (std::size_t i = 0; i < chances.size(); ++i)
+    if ((i >= cover.size() || cover[i]) && chances[i] >= least) return true;
+  return chances.empty();
 }
 
 TruthState stateOf(const tws_msgs::TruthTarget& target, const Eigen::Vector3d& site) {
@@ -45,11 +56,12 @@ std::string faultOf(const tws_msgs::TruthTarget& target) {
 std::vector<TruthState> truthsOf(const tws_msgs::Truth& message, const Eigen::Vector3d& site,
                                  const TruthFilter& filter) {
   std::vector<TruthState> truths;
+  const std::vector<bool> cover = coverOf(message, filter);
   for (const tws_msgs::TruthTarget& target : message.targets) {
     const bool required = among(filter.required_kinds, target.kind);
     if ((!required && !among(filter.tolerated_kinds, target.kind)) || !faultOf(target).empty()) continue;
     truths.push_back(stateOf(target, site));
-    truths.back().required = required && inCover(target, filter.least_detection_probability);
+    truths.back().required = required && inCover(target, cover, filter.least_detection_probability);
   }
   return truths;
 }

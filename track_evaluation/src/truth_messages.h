@@ -12,6 +12,8 @@ namespace track_evaluation {
 /// Which targets a tracker is asked for.
 struct TruthFilter {
   double least_detection_probability = 0.8;  ///< In cover: on one scan, by the best radar, 0..1.
+  std::vector<std::string> radars;           ///< That make the cover; those that the truth does not know are left out.
+                                             ///< None of them known: all radars.
   std::vector<std::uint8_t> required_kinds{tws_msgs::TruthTarget::AIRCRAFT, tws_msgs::TruthTarget::SHIP};
   std::vector<std::uint8_t> tolerated_kinds{tws_msgs::TruthTarget::SLOW_MOVER};  ///< A track of one is not wrong.
 };

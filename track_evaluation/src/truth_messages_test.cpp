@@ -24,6 +24,22 @@ TEST(TruthMessages, AnAircraftIsRequiredWhereTheBestRadarSeesItWell) {
   EXPECT_FALSE(states[1].required);
 }
 
+// An array is not asked for what only the rotating radars see, nor they for what only the array sees.
+TEST(TruthMessages, AnAircraftIsRequiredOnlyByTheRadarsThatMakeTheCover) {
+  tws_msgs::Truth message = truthMessage(1.0, {aircraft(1, 0, 0)});
+  message.radars = {"sps12", "sps39", "esa"};
+  message.targets[0].detection_probability = {0.1, 0.2, 0.9};
+  const auto required = [&](const std::vector<std::string>& radars) {
+    TruthFilter filter;
+    filter.radars = radars;
+    return truthsOf(message, Eigen::Vector3d::Zero(), filter).at(0).required;
+  };
+  EXPECT_TRUE(required({"esa"}));
+  EXPECT_FALSE(required({"sps12", "sps39"}));
+  EXPECT_TRUE(required({}));
+  EXPECT_TRUE(required({"ssr"}));
+}
+
 TEST(TruthMessages, ASlowMoverIsToleratedAndClutterIsNoTruth) {
   TruthTarget boat = aircraft(1, 0, 0), rock = aircraft(2, 0, 0);
   boat.kind = TruthTarget::SLOW_MOVER;
