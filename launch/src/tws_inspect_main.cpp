@@ -20,7 +20,7 @@ int main(int argc, char** argv) {
     tws_runtime::addDuration(app, duration);
     if (const auto status = tws_runtime::parseCommandLine(app, argc, argv)) return *status;
     const tws_launch::RunInput input = tws_launch::inspectInput(path, duration);
-    std::cout << "radars:=" << tws_launch::joined(input.radars);
+    std::cout << "radars:=" << (input.radars.empty() ? "none" : tws_launch::joined(input.radars));
     // Not a word of them where there are none: the launch file for recordings does not know the argument.
     if (!input.secondary_radars.empty())
       std::cout << "\nsecondary_radars:=" << tws_launch::joined(input.secondary_radars);

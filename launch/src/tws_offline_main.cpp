@@ -42,9 +42,9 @@ std::pair<std::string, std::string> launchFileOf(const tws_launch::RunInput& inp
 /// The graph that roslaunch would start for this input.
 std::vector<tws_launch::NodeDescription> describe(const Options& options, const tws_launch::RunInput& input) {
   const auto [launch_file, argument] = launchFileOf(input);
-  std::vector<std::string> arguments{"radars:=" + tws_launch::joined(input.radars), "params:=" + options.params,
-                                     "rviz:=false", "length:=" + std::to_string(input.length),
-                                     argument + ":=" + input.path};
+  std::vector<std::string> arguments{"radars:=" + (input.radars.empty() ? "none" : tws_launch::joined(input.radars)),
+                                     "params:=" + options.params, "rviz:=false",
+                                     "length:=" + std::to_string(input.length), argument + ":=" + input.path};
   if (!input.is_recording) {
     arguments.push_back("secondary_radars:=" + tws_launch::joined(input.secondary_radars));
     arguments.push_back("array_radars:=" + tws_launch::joined(input.array_radars));
