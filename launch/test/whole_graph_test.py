@@ -17,7 +17,8 @@ import yaml
 SCENARIO = "full"
 DURATION = 30  # of data time [s]: long enough for firm tracks, coasts and drops
 RADARS = ["sps12", "sps39"]
-SENSOR_TOPICS = [f"/{radar}/{kind}" for radar in RADARS for kind in ("detections", "sector_marks")]
+SENSOR_TOPICS = [f"/{radar}/{kind}" for radar in RADARS for kind in ("detections", "sector_marks")] + ["/ssr/plots", "/ssr/sector_marks"]
+TRACK_TOPICS = ["/adit/tracks", "/ssr/tracks", "/correlated/tracks"]
 
 
 def command(*words):
@@ -30,7 +31,7 @@ def command(*words):
 
 def launch(file, record, **arguments):
     command("roslaunch", "--no-summary", "tws_launch", file, f"record:={record}", "rviz:=false", f"radars:={' '.join(RADARS)}",
-            *(f"{name}:={value}" for name, value in arguments.items()))
+            "secondary_radars:=ssr", *(f"{name}:={value}" for name, value in arguments.items()))
     return record
 
 
@@ -80,10 +81,13 @@ class WholeGraphTest(unittest.TestCase):
     def tearDownClass(cls):
         command("rm", "-rf", cls.folder)
 
-    def check_same_tracks(self, bag, run, topic="/adit/tracks"):
+    def check_same_tracks(self, bag, run):
         """Equal up to the last input; one of the two may have been stopped a few messages earlier."""
         self.assertEqual(late(bag), {}, f"{run}: this machine was too slow for the comparison")
-        lives, others = tracks(self.live, topic), tracks(bag, topic)
+        for topic in TRACK_TOPICS:
+            self.check_same_bytes(tracks(self.live, topic), tracks(bag, topic), run, topic)
+
+    def check_same_bytes(self, lives, others, run, topic):
         length = min(len(lives), len(others))
         self.assertGreater(length, 100, f"{run}: nothing to compare on {topic}")
         self.assertLessEqual(max(len(lives), len(others)) - length, 10, run)
@@ -103,17 +107,46 @@ class WholeGraphTest(unittest.TestCase):
         self.assertEqual([m.sequence for m in messages], list(range(len(messages))))
         self.assertTrue(any(track.state == track.FIRM for m in messages for track in m.tracks))
 
+    def test_position_and_codes_come_together_over_the_whole_chain(self):
+        """SSR and SPS-12, secondary tracker and ADIT, correlator: each aircraft under one identity, with the code that it replies."""
+        with rosbag.Bag(str(self.live)) as bag:
+            words = [word for _, message, _ in bag.read_messages(["/correlated/tracks"]) for word in message.tracks]
+            codes = {target.mode_3a for _, message, _ in bag.read_messages(["/truth"]) for target in message.targets}
+        correlated = [word for word in words if word.kind == word.CORRELATED]
+        self.assertGreater(len({word.identity for word in correlated}), 10)
+        known = [word.track.mode_3a for word in correlated if word.track.mode_3a != word.track.CODE_UNKNOWN]
+        self.assertTrue(known)
+        self.assertLessEqual(set(known), codes)
+        for word in words:
+            self.assertEqual(word.primary != word.NONE, word.kind != word.SECONDARY_ONLY)
+            self.assertEqual(word.secondary != word.NONE, word.kind != word.PRIMARY_ONLY)
+
+    def test_tracks_that_a_scenario_feeds_are_correlated_alike_live_and_offline(self):
+        file = f"{command('rospack', 'find', 'tws_launch').strip()}/scenarios/bel_three_targets.yaml"
+        live = self.folder / "fed.bag"
+        command("roslaunch", "--no-summary", "tws_launch", "run.launch", "scenario:=bel_three_targets", "rviz:=false", "rate:=10",
+                "duration:=30", f"record:={live}")
+        bags = {"offline": offline(file, self.folder / "fed_offline", "--duration", 30),
+                "offline from the bag": offline(live, self.folder / "fed_again")}
+        for run, bag in bags.items():
+            for topic in ("/primary/tracks", "/secondary/tracks", "/correlated/tracks"):
+                self.check_same_bytes(tracks(live, topic), tracks(bag, topic), run, topic)
+        identities = {}
+        for _, message, _ in rosbag.Bag(str(live)).read_messages(["/correlated/tracks"]):
+            for word in message.tracks:
+                if word.kind == word.CORRELATED:
+                    identities.setdefault(word.primary, set()).add((word.identity, word.track.mode_3a))
+        self.assertEqual(sorted(len(names) for names in identities.values()), [1, 1, 1])
+
     def test_an_offline_run_of_the_scenario_gives_the_same_tracks(self):
         bag = offline(f"{command('rospack', 'find', 'tws_launch').strip()}/scenarios/{SCENARIO}.yaml", self.folder / "offline",
                       "--duration", DURATION)
-        for topic in ("/adit/tracks", "/ssr/tracks", "/correlated/tracks"):
-            self.check_same_tracks(bag, "offline from the scenario", topic)
+        self.check_same_tracks(bag, "offline from the scenario")
         self.assertEqual(publications(bag), publications(self.live))
 
     def test_an_offline_run_of_the_bag_gives_the_same_tracks(self):
         bag = offline(self.live, self.folder / "offline_bag")
-        for topic in ("/adit/tracks", "/ssr/tracks", "/correlated/tracks"):
-            self.check_same_tracks(bag, "offline from the bag", topic)
+        self.check_same_tracks(bag, "offline from the bag")
 
     def test_a_replay_at_recorded_speed_gives_the_same_tracks(self):
         self.check_same_tracks(launch("replay.launch", self.folder / "slow.bag", bag=self.live, rate=1), "replay")

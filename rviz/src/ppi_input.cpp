@@ -100,6 +100,20 @@ TrackReport trackReport(const tws_msgs::Track& track, std::size_t source, const 
   return report;
 }
 
+TrackReport trackReport(const tws_msgs::CorrelatedTrack& track, std::size_t source, double heard,
+                        const PlanarFrame& frame) {
+  using tws_msgs::CorrelatedTrack;
+  if (track.kind < CorrelatedTrack::PRIMARY_ONLY || track.kind > CorrelatedTrack::CORRELATED)
+    throw std::invalid_argument("kind of identity " + std::to_string(track.identity) + " is " +
+                                std::to_string(track.kind) + "; known are 1 to 3");
+  TrackReport report = trackReport(track.track, source, "", heard, frame);
+  report.uid = track.identity;
+  report.kind = track.kind == CorrelatedTrack::CORRELATED       ? TrackKind::kCorrelated
+                : track.kind == CorrelatedTrack::SECONDARY_ONLY ? TrackKind::kSecondary
+                                                                : TrackKind::kPrimary;
+  return report;
+}
+
 IdentityPlot identityPlot(const tws_msgs::SsrPlot& plot, const PlanarFrame& site) {
   return {plot.stamp.toSec(), polarPosition(plot.range, plot.azimuth, site), identityText(plot)};
 }

@@ -2,6 +2,7 @@
 
 #include <geometry_msgs/Transform.h>
 #include <tws_msgs/ClutterMap.h>
+#include <tws_msgs/CorrelatedTrack.h>
 #include <tws_msgs/Detection.h>
 #include <tws_msgs/SectorMark.h>
 #include <tws_msgs/SsrPlot.h>
@@ -33,6 +34,10 @@ Eigen::Vector2d truthPosition(const tws_msgs::TruthTarget& target, const PlanarF
 
 /// `source`, `prefix`: which tracker, and what stands before its numbers. `heard`: stamp of the Tracks message [s].
 TrackReport trackReport(const tws_msgs::Track& track, std::size_t source, const std::string& prefix, double heard,
+                        const PlanarFrame& frame);
+
+/// Named by the correlator's own identity.
+TrackReport trackReport(const tws_msgs::CorrelatedTrack& track, std::size_t source, double heard,
                         const PlanarFrame& frame);
 
 IdentityPlot identityPlot(const tws_msgs::SsrPlot& plot, const PlanarFrame& site);

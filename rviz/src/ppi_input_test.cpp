@@ -108,6 +108,27 @@ TEST(PpiInput, ATrackThatMakesNoSenseIsRefused) {
   EXPECT_THROW(trackReport(bad, 0, "", 100.0, {}), std::invalid_argument);
 }
 
+TEST(PpiInput, ACorrelatedTrackIsKnownByItsOwnIdentityAndKind) {
+  using tws_msgs::CorrelatedTrack;
+  CorrelatedTrack correlated;
+  correlated.identity = 12;
+  correlated.track = track();
+  correlated.track.number = 12;
+  correlated.track.mode_3a = 2233;
+  for (const auto& [kind, expected] : {std::pair(CorrelatedTrack::PRIMARY_ONLY, TrackKind::kPrimary),
+                                       {CorrelatedTrack::SECONDARY_ONLY, TrackKind::kSecondary},
+                                       {CorrelatedTrack::CORRELATED, TrackKind::kCorrelated}}) {
+    correlated.kind = kind;
+    const TrackReport report = trackReport(correlated, 3, 100.0, {});
+    EXPECT_EQ(report.kind, expected);
+    EXPECT_EQ(report.uid, 12u);
+    EXPECT_EQ(report.name, "12");
+    EXPECT_EQ(report.identity, "4271");
+  }
+  correlated.kind = 0;
+  EXPECT_THROW(trackReport(correlated, 3, 100.0, {}), std::invalid_argument);
+}
+
 // A drop says no position any more; it must be heard all the same, or a ghost stays.
 TEST(PpiInput, ADropNeedsNoPosition) {
   tws_msgs::Track dropped = track();

@@ -1,6 +1,7 @@
 #include <tws_rviz/ppi_node.h>
 
 #include <tf2/exceptions.h>
+#include <tws_msgs/CorrelatedTracks.h>
 #include <tws_msgs/Detections.h>
 #include <tws_msgs/SsrPlots.h>
 #include <tws_msgs/Tracks.h>
@@ -52,6 +53,9 @@ class PpiNode::Impl {
         picture_(params_) {
     for (std::size_t i = 0; i < params_.radars.size(); ++i) subscribeRadar(i);
     for (std::size_t i = 0; i < params_.trackers.size(); ++i) subscribeTracker(i);
+    for (std::size_t i = 0; i < params_.correlators.size(); ++i)
+      bus.subscribe<tws_msgs::CorrelatedTracks>(params_.correlators[i].topic,
+                                                [this, i](const auto& tracks) { hearCorrelator(i, tracks); });
     if (!params_.clutter_topic.empty())
       bus.subscribe<tws_msgs::ClutterMap>(params_.clutter_topic, [this](const auto& map) { hearClutter(map); });
     if (params_.truth)
@@ -98,11 +102,22 @@ class PpiNode::Impl {
   void hearTracks(std::size_t source, const tws_msgs::Tracks& tracks) {
     const TrackerParams& tracker = params_.trackers[source];
     heed({"tracks", tracker.topic, tracks.header}, [&](const Origin& origin, const PlanarFrame& frame) {
-      picture_.hearTracker(source);
       const double heard = tracks.header.stamp.toSec();
+      picture_.hearTracker(source, heard);
       for (const tws_msgs::Track& track : tracks.tracks)
         orCount(origin, [&] { picture_.hear(trackReport(track, source, tracker.prefix, heard, frame)); });
     });
+  }
+
+  void hearCorrelator(std::size_t correlator, const tws_msgs::CorrelatedTracks& tracks) {
+    const std::size_t source = params_.trackers.size() + correlator;
+    heed({"correlated tracks", params_.correlators[correlator].topic, tracks.header},
+         [&](const Origin& origin, const PlanarFrame& frame) {
+           const double heard = tracks.header.stamp.toSec();
+           picture_.hearTracker(source, heard);
+           for (const tws_msgs::CorrelatedTrack& track : tracks.tracks)
+             orCount(origin, [&] { picture_.hear(trackReport(track, source, heard, frame)); });
+         });
   }
 
   void hearClutter(const tws_msgs::ClutterMap& map) {

@@ -44,9 +44,22 @@ TrackerParams readTracker(ParameterReader& reader) {
   return tracker;
 }
 
+CorrelatorParams readCorrelator(ParameterReader& reader) {
+  CorrelatorParams correlator;
+  reader.require("topic");
+  reader.text("topic", correlator.topic);
+  correlator.name = correlator.topic;
+  reader.text("name", correlator.name);
+  reader.texts("covers", correlator.covers);
+  reader.done();
+  return correlator;
+}
+
 void readLists(ParameterReader& reader, PpiParams& params) {
   for (ParameterReader& radar : reader.list("radars")) params.radars.push_back(readRadar(radar, params.radars.size()));
   for (ParameterReader& tracker : reader.list("trackers")) params.trackers.push_back(readTracker(tracker));
+  for (ParameterReader& one : reader.list("correlators")) params.correlators.push_back(readCorrelator(one));
+  if (!reader.has("correlators")) params.correlators.push_back({"correlated", "/correlated/tracks", {"/adit/tracks"}});
   if (!reader.has("radars"))
     for (const char* name : {"sps12", "sps39", "sps10"})
       params.radars.push_back(defaultRadar(name, params.radars.size()));

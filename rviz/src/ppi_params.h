@@ -25,6 +25,13 @@ struct TrackerParams {
   std::string prefix;  // stands before the track numbers
 };
 
+/// What joins tracks of other trackers: while it speaks, its picture stands in place of theirs.
+struct CorrelatorParams {
+  std::string name;
+  std::string topic;                // of CorrelatedTracks
+  std::vector<std::string> covers;  // topics of trackers; those that are not drawn otherwise may be among them
+};
+
 /// Parameters of the PPI; config/ppi.yaml is the reference.
 struct PpiParams {
   std::string frame = "map";              // of the markers
@@ -39,8 +46,9 @@ struct PpiParams {
   std::string clutter_topic = "/adit/clutter_map";  // empty: none
   bool truth = false;
   std::string truth_topic = "/truth";
-  std::vector<RadarParams> radars;      // default: sps12, sps39, sps10
-  std::vector<TrackerParams> trackers;  // default: /adit/tracks
+  std::vector<RadarParams> radars;            // default: sps12, sps39, sps10
+  std::vector<TrackerParams> trackers;        // default: /adit/tracks
+  std::vector<CorrelatorParams> correlators;  // default: /correlated/tracks, which covers /adit/tracks
 };
 
 /// Throws tws_runtime::ParameterError that names what is unknown, out of range or missing.

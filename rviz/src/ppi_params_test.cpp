@@ -48,6 +48,10 @@ TEST(PpiParams, TheShippedFileHoldsTheDefaults) {
   EXPECT_EQ(file.trackers[0].topic, none.trackers.at(0).topic);
   EXPECT_EQ(file.trackers[0].name, none.trackers[0].name);
   EXPECT_EQ(file.trackers[0].prefix, none.trackers[0].prefix);
+  ASSERT_EQ(file.correlators.size(), 1u);
+  EXPECT_EQ(file.correlators[0].topic, none.correlators.at(0).topic);
+  EXPECT_EQ(file.correlators[0].name, none.correlators[0].name);
+  EXPECT_EQ(file.correlators[0].covers, none.correlators[0].covers);
 }
 
 TEST(PpiParams, RadarsAndTrackersAreLists) {

@@ -1,5 +1,7 @@
 #include "ppi_picture.h"
 
+#include <algorithm>
+
 #include <tws_core/angles.h>
 
 #include "background.h"
@@ -17,7 +19,7 @@ PpiPicture::PpiPicture(const PpiParams& params)
     : params_(params),
       style_(params.picture_range, params.text_scale),
       tracks_(params.tracks),
-      trackers_heard_(params.trackers.size(), false) {
+      trackers_heard_(params.trackers.size() + params.correlators.size()) {
   for (const RadarParams& radar : params.radars) radars_.push_back({radar, {}, {}, {}, false});
 }
 
@@ -32,7 +34,8 @@ void PpiPicture::hear(std::size_t radar, const Blip& detection) {
 }
 
 void PpiPicture::hear(TrackReport report) {
-  if (report.state != TrackState::kDropped && report.identity.empty())
+  const bool of_tracker = report.source < params_.trackers.size();
+  if (of_tracker && report.state != TrackState::kDropped && report.identity.empty())
     report.identity = identities_.at(report.time, report.position, report.velocity);
   tracks_.hear(report);
 }
@@ -75,7 +78,7 @@ Drawing PpiPicture::truth(double time) const {
 Drawing PpiPicture::tracks(double time) {
   Drawing drawing;
   tracks_.expire(time);
-  tracks_.draw(drawing, time, style_);
+  tracks_.draw(drawing, time, style_, covered(time));
   return drawing;
 }
 
@@ -85,9 +88,27 @@ Drawing PpiPicture::status(double time) const {
     if (radar.heard)
       status.radars.push_back({radar.params.name, radar.params.color, radar.sweep.rotationPeriod(),
                                radar.sweep.azimuthAt(time).has_value()});
-  for (std::size_t i = 0; i < params_.trackers.size(); ++i)
-    if (trackers_heard_[i]) status.trackers.push_back({params_.trackers[i].name, tracks_.counts(i)});
+  const std::set<std::size_t> hidden = covered(time);
+  const auto add = [&](std::size_t source, const std::string& name) {
+    if (trackers_heard_[source] && hidden.count(source) == 0) status.trackers.push_back({name, tracks_.counts(source)});
+  };
+  for (std::size_t i = 0; i < params_.correlators.size(); ++i)
+    add(params_.trackers.size() + i, params_.correlators[i].name);
+  for (std::size_t i = 0; i < params_.trackers.size(); ++i) add(i, params_.trackers[i].name);
   return drawStatus(style_, status);
+}
+
+std::set<std::size_t> PpiPicture::covered(double time) const {
+  std::set<std::size_t> covered;
+  for (std::size_t i = 0; i < params_.correlators.size(); ++i) {
+    const auto& heard = trackers_heard_[params_.trackers.size() + i];
+    if (!heard || isOld(*heard, time)) continue;
+    const auto& topics = params_.correlators[i].covers;
+    for (std::size_t tracker = 0; tracker < params_.trackers.size(); ++tracker)
+      if (std::find(topics.begin(), topics.end(), params_.trackers[tracker].topic) != topics.end())
+        covered.insert(tracker);
+  }
+  return covered;
 }
 
 double PpiPicture::persistence(const Radar& radar) const {

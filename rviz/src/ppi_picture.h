@@ -1,6 +1,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
+#include <set>
 #include <vector>
 
 #include "fading_detections.h"
@@ -28,9 +30,10 @@ class PpiPicture {
   /// `site`: where the radar stands.
   void hear(std::size_t radar, const BeamMark& mark, const PlanarFrame& site);
   void hear(std::size_t radar, const Blip& detection);
-  /// A tracker speaks, even if it has no tracks.
-  void hearTracker(std::size_t tracker) { trackers_heard_[tracker] = true; }
-  /// A track without identity of its own takes that of the secondary radars' nearest plot.
+  /// A tracker speaks at this time, even if it has no tracks. Correlators come after the trackers.
+  void hearTracker(std::size_t tracker, double time) { trackers_heard_[tracker] = time; }
+  /// A tracker's track without identity of its own takes that of the secondary radars' nearest plot; a correlator
+  /// knows.
   void hear(TrackReport report);
   void hear(const IdentityPlot& plot) { identities_.add(plot); }
   /// The whole clutter map of `time`, or all true positions.
@@ -64,6 +67,8 @@ class PpiPicture {
 
   double persistence(const Radar& radar) const;
   double spacing() const;
+  /// The trackers in whose place a correlator's picture stands at this time.
+  std::set<std::size_t> covered(double time) const;
   bool isOld(double heard, double time) const { return time - heard > params_.tracks.timeout; }
 
   PpiParams params_;
@@ -71,7 +76,7 @@ class PpiPicture {
   std::vector<Radar> radars_;
   TrackPicture tracks_;
   Identities identities_;
-  std::vector<bool> trackers_heard_;
+  std::vector<std::optional<double>> trackers_heard_;  // and when last [s]
   Snapshot<ClutterMark> clutter_;
   Snapshot<Eigen::Vector2d> truth_;
 };

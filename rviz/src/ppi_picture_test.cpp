@@ -71,6 +71,38 @@ TEST(PpiPicture, ATrackBearsTheCodeOfTheSecondaryRadarsPlotAndKeepsIt) {
   EXPECT_TRUE(says(picture.tracks(120.0), "7\n0kn\n4321"));
 }
 
+// If this fails, the operator sees every aircraft twice, or none when the correlator has stopped.
+TEST(PpiPicture, ACorrelatorsPictureStandsInPlaceOfItsTrackersWhileItSpeaks) {
+  PpiParams both = params();
+  both.trackers[0].topic = "/adit/tracks";
+  both.correlators = {{"correlated", "/correlated/tracks", {"/adit/tracks"}}};
+  PpiPicture picture(both);
+  TrackReport track;
+  track.state = TrackState::kFirm;
+  track.heard = track.time = 100.0;
+  track.position = {50e3, 0.0};
+  track.velocity = {0.0, 0.0};
+  const auto say = [&](std::size_t source, const std::string& name, TrackState state) {
+    track.source = source;
+    track.name = name;
+    track.state = state;
+    picture.hear(track);
+  };
+  say(0, "7", TrackState::kFirm);
+  EXPECT_TRUE(says(picture.tracks(100.0), "7\n0kn"));
+  picture.hearTracker(0, 100.0);
+  picture.hearTracker(2, 100.0);
+  say(2, "1", TrackState::kFirm);
+  const Drawing drawing = picture.tracks(100.0);
+  EXPECT_TRUE(says(drawing, "1\n0kn"));
+  EXPECT_FALSE(says(drawing, "7\n0kn"));
+  EXPECT_TRUE(says(picture.status(100.0), "correlated"));
+  EXPECT_FALSE(says(picture.status(100.0), "adit"));
+  track.heard = 131.0;
+  say(0, "7", TrackState::kFirm);
+  EXPECT_TRUE(says(picture.tracks(131.0), "7\n0kn"));
+}
+
 // When the tracker stops, its clutter map must not stay as if it were still in use.
 TEST(PpiPicture, ClutterAndTruthVanishAfterTheTimeOut) {
   PpiPicture picture(params());
@@ -87,7 +119,7 @@ TEST(PpiPicture, ClutterAndTruthVanishAfterTheTimeOut) {
 TEST(PpiPicture, TheStatusNamesOnlyWhatWasHeard) {
   PpiPicture picture(params());
   picture.hear(1, BeamMark{100.0, 0, 0, 8.0}, {});
-  picture.hearTracker(0);
+  picture.hearTracker(0, 100.0);
   const Drawing status = picture.status(101.0);
   EXPECT_TRUE(says(status, "sps39  8.0 s"));
   EXPECT_TRUE(says(status, "adit"));

@@ -31,6 +31,7 @@ struct PpiStyle {
   Rgba scale_text{0.25f, 0.75f, 0.35f, 1.0f};
   Rgba tentative{0.95f, 0.85f, 0.20f, 1.0f};
   Rgba firm{1.0f, 1.0f, 1.0f, 1.0f};
+  Rgba secondary{0.35f, 0.90f, 1.0f, 1.0f};  // a firm track of which only a secondary radar knows
   Rgba coasting{1.0f, 0.50f, 0.10f, 1.0f};
   Rgba clutter{0.62f, 0.42f, 0.25f, 1.0f};
   Rgba truth{0.80f, 0.30f, 0.80f, 1.0f};

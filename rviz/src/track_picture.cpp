@@ -17,16 +17,18 @@ constexpr double kTrailBrightest = 0.75;
 constexpr int kRightSide = 0;
 constexpr int kLeftSide = 4;
 
-const Rgba& colorOf(TrackState state, const PpiStyle& style) {
-  if (state == TrackState::kFirm) return style.firm;
-  return state == TrackState::kCoasting ? style.coasting : style.tentative;
+const Rgba& colorOf(const TrackReport& report, const PpiStyle& style) {
+  if (report.state == TrackState::kFirm) return report.kind == TrackKind::kSecondary ? style.secondary : style.firm;
+  return report.state == TrackState::kCoasting ? style.coasting : style.tentative;
 }
 
-// A firm track is a circle, a coasting one a square, a tentative one a small diamond.
-Polygon symbolOf(TrackState state, const PpiStyle& style) {
-  if (state == TrackState::kFirm) return {16, style.symbol, 0.0};
-  if (state == TrackState::kCoasting) return {4, 1.3 * style.symbol, tws::kPi / 4.0};
-  return {4, 0.8 * style.symbol, 0.0};
+// A firm track is a circle, a coasting one a square, a tentative one a small diamond; without a primary radar a
+// triangle.
+Polygon symbolOf(const TrackReport& report, const PpiStyle& style) {
+  if (report.state == TrackState::kTentative) return {4, 0.8 * style.symbol, 0.0};
+  if (report.kind == TrackKind::kSecondary) return {3, 1.3 * style.symbol, 0.0};
+  if (report.state == TrackState::kCoasting) return {4, 1.3 * style.symbol, tws::kPi / 4.0};
+  return {16, style.symbol, 0.0};
 }
 
 // A tentative track shows its name only: many of them are false. One that does not move yet, a single detection, shows
@@ -59,6 +61,7 @@ void TrackPicture::hear(const TrackReport& report) {
     leaveTrail(track, report.heard);
   std::string known = std::move(track.report.identity);
   track.report = report;
+  track.believed = track.believed || report.state != TrackState::kTentative;
   if (report.identity.empty()) track.report.identity = std::move(known);
 }
 
@@ -74,14 +77,17 @@ void TrackPicture::expire(double time) {
     track = time - track->second.report.heard > look_.timeout ? tracks_.erase(track) : std::next(track);
 }
 
-void TrackPicture::draw(Drawing& drawing, double time, const PpiStyle& style) {
-  for (const auto& [key, track] : tracks_) drawTrail(drawing, track, time, style);
-  for (const auto& [key, track] : tracks_) drawSymbol(drawing, track.report, style);
-  drawLabels(drawing, style);
+void TrackPicture::draw(Drawing& drawing, double time, const PpiStyle& style, const std::set<std::size_t>& covered) {
+  std::vector<LivingTrack*> shown;
+  for (auto& [key, track] : tracks_)
+    if (!track.believed || covered.count(key.first) == 0) shown.push_back(&track);
+  for (const LivingTrack* track : shown) drawTrail(drawing, *track, time, style);
+  for (const LivingTrack* track : shown) drawSymbol(drawing, track->report, style);
+  drawLabels(drawing, shown, style);
 }
 
 void TrackPicture::drawTrail(Drawing& drawing, const LivingTrack& track, double time, const PpiStyle& style) const {
-  const Rgba& color = colorOf(track.report.state, style);
+  const Rgba& color = colorOf(track.report, style);
   for (const TrailDot& dot : track.trail) {
     const double left = 1.0 - (time - dot.time) / look_.trail_time;
     if (left > 0.0) addDot(drawing, dot.position, style.dot, faded(color, kTrailBrightest * left));
@@ -89,28 +95,29 @@ void TrackPicture::drawTrail(Drawing& drawing, const LivingTrack& track, double 
 }
 
 void TrackPicture::drawSymbol(Drawing& drawing, const TrackReport& report, const PpiStyle& style) const {
-  const Rgba& color = colorOf(report.state, style);
+  const Rgba& color = colorOf(report, style);
   const Eigen::Vector2d leader = look_.leader_time * report.velocity;
   if (leader.allFinite()) addLine(drawing, report.position, report.position + leader, style.line, color);
-  addPolygon(drawing, report.position, symbolOf(report.state, style), style.line, color);
+  addPolygon(drawing, report.position, symbolOf(report, style), style.line, color);
+  if (report.kind == TrackKind::kCorrelated) addDot(drawing, report.position, 0.7 * style.symbol, color);
 }
 
-void TrackPicture::drawLabels(Drawing& drawing, const PpiStyle& style) {
+void TrackPicture::drawLabels(Drawing& drawing, const std::vector<LivingTrack*>& shown, const PpiStyle& style) {
   std::vector<LabelRequest> requests;
   std::vector<std::pair<LivingTrack*, std::string>> labelled;
-  for (auto& [key, track] : tracks_) {
-    std::string text = labelText(track.report);
+  for (LivingTrack* track : shown) {
+    std::string text = labelText(track->report);
     if (text.empty()) continue;
-    requests.push_back({track.report.position, textSize(text, style.small_text), 1.4 * style.symbol,
-                        track.side.value_or(favouredSide(track.report))});
-    labelled.emplace_back(&track, std::move(text));
+    requests.push_back({track->report.position, textSize(text, style.small_text), 1.4 * style.symbol,
+                        track->side.value_or(favouredSide(track->report))});
+    labelled.emplace_back(track, std::move(text));
   }
   const std::vector<int> sides = placeLabels(requests);
   for (std::size_t i = 0; i < labelled.size(); ++i) {
     LivingTrack& track = *labelled[i].first;
     track.side = sides[i];
     drawing.labels.push_back({track.label, labelCentre(requests[i], sides[i]), style.small_text, labelled[i].second,
-                              colorOf(track.report.state, style)});
+                              colorOf(track.report, style)});
   }
 }
 

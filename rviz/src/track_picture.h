@@ -7,8 +7,10 @@
 #include <limits>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "drawing.h"
 #include "ppi_style.h"
@@ -17,11 +19,15 @@ namespace tws_rviz {
 
 enum class TrackState { kTentative, kFirm, kCoasting, kDropped };
 
+/// Which radars see the aircraft.
+enum class TrackKind { kPrimary, kSecondary, kCorrelated };
+
 /// A tracker's word on one track.
 struct TrackReport {
   std::size_t source = 0;  // which tracker
   std::uint32_t uid = 0;   // never used twice by one tracker
   TrackState state = TrackState::kTentative;
+  TrackKind kind = TrackKind::kPrimary;
   double heard = 0.0;        // data time of the word [s]
   double time = 0.0;         // at which position and velocity hold [s]
   Eigen::Vector2d position;  // [m]
@@ -38,8 +44,9 @@ struct TrackLook {
   double timeout = 30.0;      // a track of which nothing was heard for so long vanishes [s]
 };
 
-/// All living tracks, of any number of trackers: symbol, speed leader, trail and label. A track shows where it was last
-/// reported; it is not moved on in between, so that it stays on its plots.
+/// All living tracks, of any number of trackers: symbol (a circle, with a dot in it when a secondary radar sees the
+/// aircraft too, a triangle when only that does; squares coast), speed leader, trail and label. A track shows where it
+/// was last reported; it is not moved on in between, so that it stays on its plots.
 class TrackPicture {
  public:
   explicit TrackPicture(const TrackLook& look) : look_(look) {}
@@ -51,7 +58,8 @@ class TrackPicture {
 
   /// Appends trails, leaders, symbols and labels. Dots of trails fade with their age at `time` [s]. Remembers where the
   /// labels stand, so that they stay there.
-  void draw(Drawing& drawing, double time, const PpiStyle& style);
+  /// Of the `covered` sources only what was never firm is drawn: the rest is seen under another source.
+  void draw(Drawing& drawing, double time, const PpiStyle& style, const std::set<std::size_t>& covered = {});
 
   /// How many tracks of a tracker are tentative, firm and coasting, in this order.
   std::array<int, 3> counts(std::size_t source) const;
@@ -66,11 +74,12 @@ class TrackPicture {
     std::deque<TrailDot> trail;  // oldest first, without the present place
     std::uint32_t label = 0;
     std::optional<int> side;  // of the label
+    bool believed = false;    // it was firm or coasting at least once
   };
   void leaveTrail(LivingTrack& track, double time) const;
   void drawTrail(Drawing& drawing, const LivingTrack& track, double time, const PpiStyle& style) const;
   void drawSymbol(Drawing& drawing, const TrackReport& report, const PpiStyle& style) const;
-  void drawLabels(Drawing& drawing, const PpiStyle& style);
+  void drawLabels(Drawing& drawing, const std::vector<LivingTrack*>& shown, const PpiStyle& style);
 
   TrackLook look_;
   std::map<std::pair<std::size_t, std::uint32_t>, LivingTrack> tracks_;  // by source and uid

@@ -94,6 +94,31 @@ TEST(TrackPicture, TheThreeStatesDifferInShapeAndColour) {
   EXPECT_EQ(widths.size(), 3u);
 }
 
+// If this fails, the operator cannot tell which radar sees an aircraft.
+TEST(TrackPicture, ThreeKindsOfFirmTracksLookDifferent) {
+  std::set<std::size_t> vertices;
+  for (const TrackKind kind : {TrackKind::kPrimary, TrackKind::kSecondary, TrackKind::kCorrelated}) {
+    TrackPicture tracks(kLook);
+    TrackReport of_kind = report(1, TrackState::kFirm, 100.0);
+    of_kind.kind = kind;
+    tracks.hear(of_kind);
+    vertices.insert(drawn(tracks, 100.0).triangles.size());
+  }
+  EXPECT_EQ(vertices.size(), 3u);
+}
+
+// A tentative track of a tracker whose tracks are correlated is shown by nobody else.
+TEST(TrackPicture, OfACoveredSourceOnlyWhatWasNeverFirmIsDrawn) {
+  TrackPicture tracks(kLook);
+  tracks.hear(report(1, TrackState::kTentative, 100.0));
+  tracks.hear(report(2, TrackState::kFirm, 100.0, 60e3));
+  tracks.hear(report(2, TrackState::kTentative, 106.0, 60e3));
+  Drawing drawing;
+  tracks.draw(drawing, 106.0, kStyle, {0});
+  ASSERT_EQ(drawing.labels.size(), 1u);
+  EXPECT_EQ(drawing.labels[0].text, "1");
+}
+
 // A dropped track that stayed would be a ghost aircraft.
 TEST(TrackPicture, ADroppedTrackVanishes) {
   TrackPicture tracks(kLook);

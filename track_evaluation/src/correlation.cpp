@@ -1,8 +1,33 @@
 #include "correlation.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace track_evaluation {
+
+namespace {
+
+// Pairs are held for some time; by so much [m] a track must be nearer to another aircraft to be a track of that one.
+constexpr double kNearer = 100.0;
+
+struct Pair {
+  const TruthState* truth;
+  const TrackState* track;
+};
+
+double distance(const TruthState& truth, const TrackState& track) {
+  return (comparable(truth, track).position - track.state.position).norm();
+}
+
+bool isWrong(const CorrelationMetrics::Word& word, const Pair& pair, const Epoch& epoch) {
+  if (word.mode_3a == pair.truth->mode_3a) return false;
+  const double limit = distance(*pair.truth, *pair.track) - kNearer;
+  return std::none_of(epoch.truths.begin(), epoch.truths.end(), [&](const TruthState& truth) {
+    return truth.mode_3a == word.mode_3a && distance(truth, *pair.track) < limit;
+  });
+}
+
+}  // namespace
 
 void CorrelationMetrics::add(const Word& word) {
   words_[static_cast<std::size_t>(word.kind)] += 1.0;
@@ -12,15 +37,17 @@ void CorrelationMetrics::add(const Word& word) {
 void CorrelationMetrics::judge(const Epoch& epoch, const std::vector<int>& track_of) {
   if (std::isnan(first_time_)) first_time_ = epoch.time;
   last_time_ = epoch.time;
-  std::map<std::uint32_t, std::uint16_t> right_code;  // by identity
+  std::map<std::uint32_t, Pair> pairs;  // by identity
   for (std::size_t i = 0; i < epoch.truths.size(); ++i)
-    if (track_of[i] >= 0 && epoch.truths[i].mode_3a != kCodeUnknown)
-      right_code[epoch.tracks[static_cast<std::size_t>(track_of[i])].id] = epoch.truths[i].mode_3a;
+    if (track_of[i] >= 0 && epoch.truths[i].mode_3a != kCodeUnknown) {
+      const TrackState& track = epoch.tracks[static_cast<std::size_t>(track_of[i])];
+      pairs[track.id] = {&epoch.truths[i], &track};
+    }
   for (const Word& word : waiting_) {
-    const auto right = right_code.find(word.identity);
-    if (right == right_code.end()) continue;
+    const auto pair = pairs.find(word.identity);
+    if (pair == pairs.end()) continue;
     judged_ += 1.0;
-    if (word.mode_3a != right->second) wrong_ += 1.0;
+    if (isWrong(word, pair->second, epoch)) wrong_ += 1.0;
   }
   waiting_.clear();
 }

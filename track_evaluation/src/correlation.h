@@ -23,8 +23,9 @@ class CorrelationMetrics {
   };
 
   void add(const Word& word);
-  /// The words since the last call are about the truths that their identities are paired with now. `track_of`: of each
-  /// truth of the epoch the index of its track or -1.
+  /// The words since the last call are about the truths that their identities are paired with now, or about that one
+  /// whose code they bear when the track is nearer to it by 100 m. `track_of`: of each truth of the epoch the index of
+  /// its track or -1.
   void judge(const Epoch& epoch, const std::vector<int>& track_of);
 
   bool empty() const { return words_[0] + words_[1] + words_[2] == 0; }

@@ -47,6 +47,19 @@ TEST(CorrelationMetrics, CountsTheWordsWithTheCodeOfAnotherAircraft) {
   EXPECT_EQ(values.at("miscorrelated_share"), 0.5);
 }
 
+// The track has gone over to the other aircraft and bears its code: that is a swap of tracks, not of codes.
+TEST(CorrelationMetrics, TakesTheCodeOfAnAircraftThatIsNearerByFarForRight) {
+  for (const auto& [apart, wrong] : {std::pair(40.0, 1.0), {800.0, 0.0}}) {
+    Epoch epoch = epochAt(0.0);
+    epoch.truths[0].ground.position.x() = apart;  // The other two truths and the tracks lie at 0.
+    CorrelationMetrics correlation;
+    correlation.add({7, Kind::kCorrelated, 04103});
+    correlation.judge(epoch, kPairs);
+    EXPECT_EQ(valuesOf(correlation).at("judged_words"), 1.0);
+    EXPECT_EQ(valuesOf(correlation).at("miscorrelations"), wrong) << apart;
+  }
+}
+
 TEST(CorrelationMetrics, JudgesNoWordWithoutCodeOrOfAnAircraftWithoutOneOrOfNoAircraft) {
   CorrelationMetrics correlation;
   correlation.add({7, Kind::kCorrelated, kCodeUnknown});
