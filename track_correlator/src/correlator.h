@@ -3,14 +3,14 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
-#include <map>
-#include <optional>
 #include <vector>
 
 #include <Eigen/Core>
 
 #include "association.h"
 #include "fusion_table.h"
+#include "known_tracks.h"
+#include "mark_clock.h"
 
 namespace track_correlator {
 
@@ -23,15 +23,6 @@ struct CorrelatorParams {
   double release_distance = 3000.0;  ///< A correlated pair further apart [m] than this; 0: no limit, as in the paper,
   int release_scans = 3;             ///< for so many scans in a row is no pair any more, >= 1.
   double track_timeout = 30.0;       ///< A track that nobody has spoken of for so long is lost [s], > 0.
-};
-
-/// What one tracker says of a track.
-struct TrackInput {
-  std::uint32_t uid = 0;                            ///< Never used twice in one run of that tracker.
-  double time = 0.0;                                ///< Position and velocity hold at this instant [s].
-  Eigen::Vector4d state = Eigen::Vector4d::Zero();  ///< x, y [m], vx, vy [m/s]; the plane of slant range and azimuth.
-  Eigen::Matrix4d covariance = Eigen::Matrix4d::Identity();
-  bool dropped = false;  ///< The track's last word.
 };
 
 constexpr std::uint32_t kNoTrack = std::numeric_limits<std::uint32_t>::max();
@@ -80,49 +71,32 @@ class Correlator {
   const CorrelatorCounts& counts() const { return counts_; }
 
  private:
-  struct Known {
-    TrackInput input;
-    std::uint32_t identity = 0;                                         // 0: not yet
-    std::int64_t done = std::numeric_limits<std::int64_t>::min() / 2;   // processed last
-    std::int64_t taken = std::numeric_limits<std::int64_t>::min() / 2;  // a secondary: served a primary last
-    Eigen::Vector4d now;                                                // the state at the instant of the correlation
-    int behind = 0;                                                     // sectors behind the one processed
-  };
-  using Tracks = std::map<std::uint32_t, Known>;
-  struct Mark {
-    std::int64_t running;
-    double time;
-  };
-
-  void enter(const Mark& mark);
   void process(const Mark& mark);
-  void bringTo(const Mark& mark, Tracks& tracks);
   void loseSilentTracks(double time);
   void losePrimary(std::uint32_t uid);
   void loseSecondary(std::uint32_t uid);
-  bool isDue(const Known& track, std::int64_t running) const;
 
-  void clearExpired(const Tracks& tracks, bool primaries, std::int64_t running);
-  void correlateByHistory(std::int64_t running);
-  void correlateByDistance(std::int64_t running);
+  void clearExpired(const Mark& mark);
+  void clearExpired(const FusionRow* row, std::int64_t running);
+  void correlateByHistory(const Mark& mark);
+  void correlateByDistance(const Mark& mark);
   void commit(std::uint32_t primary, std::uint32_t secondary, std::int64_t running);
   void settleIdentity(std::uint32_t primary, std::uint32_t secondary, bool primarys);
   void dissolve(const FusionRow* row);
   void forgetHistory(std::int64_t running);
   bool isFree(const FusionRow* row) const;
-  double distance(const Known& primary, const Known& secondary) const;
+  double distance(const KnownTrack& primary, const KnownTrack& secondary, double time) const;
   void report(const Mark& mark);
   void end(std::uint32_t identity, std::uint32_t primary, std::uint32_t secondary);
-  std::uint32_t identityOf(Known& track);
-  CorrelatedWord wordOf(const FusionRow& row, std::uint32_t identity) const;
+  std::uint32_t identityOf(KnownTrack& track);
 
   CorrelatorParams params_;
   OnReport on_report_;
-  Tracks primaries_, secondaries_;  // by uid
+  KnownTracks primaries_, secondaries_;
+  KnownTracks::Near near_primaries_, near_secondaries_;  // to the mark that is processed
   FusionTable table_;
   Association association_;
-  std::vector<Mark> marks_;  // those that are not processed yet
-  std::optional<std::int64_t> stray_;
+  MarkClock clock_;
   std::vector<CorrelatedWord> ended_;
   std::uint32_t last_identity_ = 0;
   CorrelatorCounts counts_;
