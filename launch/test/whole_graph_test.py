@@ -109,7 +109,8 @@ class WholeGraphTest(unittest.TestCase):
 
     def test_position_and_codes_come_together_over_the_whole_chain(self):
         """SSR and SPS-12, secondary tracker and ADIT, correlator: each aircraft under one identity, with the code that it replies."""
-        with rosbag.Bag(str(self.live)) as bag:
+        live = launch("run.launch", self.folder / "chain.bag", scenario=SCENARIO, rate=10, duration=60)  # Pairs need some turns.
+        with rosbag.Bag(str(live)) as bag:
             words = [word for _, message, _ in bag.read_messages(["/correlated/tracks"]) for word in message.tracks]
             codes = {target.mode_3a for _, message, _ in bag.read_messages(["/truth"]) for target in message.targets}
         correlated = [word for word in words if word.kind == word.CORRELATED]
