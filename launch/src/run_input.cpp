@@ -7,6 +7,7 @@
 #include <tws_msgs/Detections.h>
 #include <tws_msgs/DwellReports.h>
 #include <tws_msgs/SsrPlots.h>
+#include <tws_msgs/Tracks.h>
 #include <tws_runtime/local_graph.h>
 
 #include <algorithm>
@@ -56,6 +57,8 @@ void readBag(RunInput& input, std::optional<double> duration) try {
   input.array_radars = firstParts(dwells);
   view.addQuery(bag, rosbag::TypeQuery(ros::message_traits::datatype<tws_msgs::DwellReports>()));
   input.feeds_tracks = rosbag::View(bag, rosbag::TopicQuery("/primary/tracks")).size() > 0;
+  rosbag::View windows(bag, rosbag::TopicQuery("/tws/tracks"));
+  if (windows.size() > 0) input.windows = windows.begin()->instantiate<tws_msgs::Tracks>()->radar;
   if (view.size() > 0) input.length = (view.getEndTime() - view.getBeginTime()).toSec();
   input.length = std::min(input.length, duration.value_or(input.length));
 } catch (const std::exception& error) {

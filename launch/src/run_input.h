@@ -15,7 +15,8 @@ struct RunInput {
   std::vector<std::string> secondary_radars;  ///< Of a scenario or bag, by name.
   std::vector<std::string> array_radars;      ///< Electronically scanned, of a scenario or bag, by name.
   bool feeds_tracks = false;                  ///< Primary and secondary tracks come with it, in place of trackers.
-  double length = 0.0;                        ///< Data time from start to end [s].
+  std::string windows;  ///< The radar that the window tracker of a recorded run heard; empty: none.
+  double length = 0.0;  ///< Data time from start to end [s].
 };
 
 /// Whether a path is taken for a recorded run: it ends in ".bag".

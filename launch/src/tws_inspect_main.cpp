@@ -26,6 +26,7 @@ int main(int argc, char** argv) {
       std::cout << "\nsecondary_radars:=" << tws_launch::joined(input.secondary_radars);
     if (!input.array_radars.empty()) std::cout << "\narray_radars:=" << tws_launch::joined(input.array_radars);
     if (input.feeds_tracks) std::cout << "\nfed:=true";
+    if (!input.windows.empty()) std::cout << "\nwindows:=" << input.windows;
     std::cout << "\nlength:=" << input.length << std::endl;
     return 0;
   });

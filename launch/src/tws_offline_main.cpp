@@ -21,6 +21,8 @@ struct Options {
   std::string out = ".";
   std::string params = "default";
   std::string correlator;
+  std::string windows;
+  std::string window_params;
   std::optional<std::int64_t> seed;
   std::optional<double> duration;
 };
@@ -52,6 +54,10 @@ std::vector<tws_launch::NodeDescription> describe(const Options& options, const 
   if (input.feeds_tracks) arguments.emplace_back("fed:=true");
   if (!options.correlator.empty())
     arguments.push_back("correlator:=" + std::filesystem::absolute(options.correlator).string());
+  const std::string& windows = options.windows.empty() ? input.windows : options.windows;
+  if (!windows.empty()) arguments.push_back("windows:=" + windows);
+  if (!options.window_params.empty())
+    arguments.push_back("window_params:=" + std::filesystem::absolute(options.window_params).string());
   if (options.seed) arguments.push_back("seed:=" + std::to_string(*options.seed));
   return tws_launch::describeGraph(launch_file, arguments);
 }
@@ -92,6 +98,9 @@ int main(int argc, char** argv) {
     app.add_option("--params", options.params,
                    "parameter set of the ADIT tracker: default, nrl7952 or the path of a file");
     app.add_option("--correlator", options.correlator, "parameters of the correlator, in place of its own file")
+        ->check(CLI::ExistingFile);
+    app.add_option("--windows", options.windows, "the radar that the window tracker tracks, too");
+    app.add_option("--window-params", options.window_params, "parameters of the window tracker: the path of a file")
         ->check(CLI::ExistingFile);
     app.add_option("--seed", options.seed, "of the random numbers, in place of the scenario's")->check(seedProblem);
     tws_runtime::addDuration(app, options.duration);

@@ -18,7 +18,8 @@ SCENARIO = "full"
 DURATION = 30  # of data time [s]: long enough for firm tracks, coasts and drops
 RADARS = ["sps12", "sps39"]
 SENSOR_TOPICS = [f"/{radar}/{kind}" for radar in RADARS for kind in ("detections", "sector_marks")] + ["/ssr/plots", "/ssr/sector_marks"]
-TRACK_TOPICS = ["/adit/tracks", "/ssr/tracks", "/correlated/tracks"]
+TRACK_TOPICS = ["/adit/tracks", "/ssr/tracks", "/correlated/tracks", "/tws/tracks"]
+WINDOWS = "sps12"  # The radar of the window tracker.
 
 
 def command(*words):
@@ -150,10 +151,10 @@ class WholeGraphTest(unittest.TestCase):
         self.check_same_tracks(bag, "offline from the bag")
 
     def test_a_replay_at_recorded_speed_gives_the_same_tracks(self):
-        self.check_same_tracks(launch("replay.launch", self.folder / "slow.bag", bag=self.live, rate=1), "replay")
+        self.check_same_tracks(launch("replay.launch", self.folder / "slow.bag", bag=self.live, rate=1, windows=WINDOWS), "replay")
 
     def test_a_replay_at_ten_times_the_speed_gives_the_same_tracks(self):
-        self.check_same_tracks(launch("replay.launch", self.folder / "fast.bag", bag=self.live, rate=10), "fast replay")
+        self.check_same_tracks(launch("replay.launch", self.folder / "fast.bag", bag=self.live, rate=10, windows=WINDOWS), "fast replay")
 
     def test_a_replay_of_limited_duration_ends_there(self):
         bag = launch("replay.launch", self.folder / "short.bag", bag=self.live, rate=10, duration=10)
@@ -164,8 +165,8 @@ class WholeGraphTest(unittest.TestCase):
     def test_topics_that_interleave_differently_give_the_same_tracks(self):
         for seed in range(5):
             bag = shuffled(self.live, self.folder / f"shuffled{seed}.bag", seed)
-            self.check_same_tracks(offline(bag, self.folder / f"shuffled{seed}"), f"shuffled with seed {seed}, offline")
-        self.check_same_tracks(launch("replay.launch", self.folder / "shuffled.bag", bag=bag, rate=5), "shuffled, replayed")
+            self.check_same_tracks(offline(bag, self.folder / f"shuffled{seed}", "--windows", WINDOWS), f"shuffled with seed {seed}, offline")
+        self.check_same_tracks(launch("replay.launch", self.folder / "shuffled.bag", bag=bag, rate=5, windows=WINDOWS), "shuffled, replayed")
 
     def test_the_offline_graph_is_what_roslaunch_starts(self):
         """Nodes and private parameters, compared with roslaunch's own dump of the launch file."""

@@ -1,0 +1,268 @@
+#include "window_tracker.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <tws_core/angles.h>
+#include <tws_core/geometry.h>
+#include <tws_core/sectors.h>
+
+namespace range_gate_tracker {
+namespace {
+
+// The beam's time decides the sector of a detection, not its measured azimuth: one sector more on either side.
+constexpr std::int64_t kMargin = 1;
+// No window is wider than a third of a turn and its margins: older echoes are no longer needed.
+constexpr std::int64_t kKept = 48;
+
+const WindowParams& checked(const WindowParams& params) {
+  check(params);
+  return params;
+}
+
+bool isGood(const tws::Plot& plot) {
+  return plot.range > 0.0 && std::isfinite(plot.range) && std::isfinite(plot.azimuth) && std::isfinite(plot.time);
+}
+
+/// The window of a track in which a detection of that sector would be its next, or was its latest.
+const TrackWindow* windowOf(const TrackFile& track, std::int64_t running) {
+  if (track.window.isOpenIn(running)) return &track.window;
+  return track.previous.isOpenIn(running) ? &track.previous : nullptr;
+}
+
+}  // namespace
+
+WindowTracker::WindowTracker(const WindowParams& params, OnReport on_report)
+    : params_(checked(params)),
+      on_report_(std::move(on_report)),
+      motion_(params_),
+      beam_(params_.period),
+      numbers_(static_cast<std::uint32_t>(params_.capacity)) {}
+
+// The five stages of the thesis. (2) The windows are opened by (5), for the next scan.
+void WindowTracker::process(tws::RadarSector sector) {
+  beam_.hear(sector);
+  detect(sector);  // (1) target detection
+  for (auto& [number, track] : tracks_) {
+    if (track.window.close <= sector.running) decide(track);  // (4) resolution of ambiguity, (5) filtering, prediction
+  }
+  initiate(sector.running);  // (3) track initiation
+  report(sector);
+}
+
+void WindowTracker::detect(const tws::RadarSector& sector) {
+  while (!echoes_.empty() && echoes_.front().running < sector.running - kKept) echoes_.pop_front();
+  for (const tws::Plot& plot : sector.plots) {
+    if (isGood(plot))
+      echoes_.push_back({plot, sector.running, false});
+    else
+      ++counts_.rejected_plots;
+  }
+}
+
+void WindowTracker::decide(TrackFile& track) {
+  std::vector<tws::Plot> seen;
+  for (Echo* echo : echoesIn(track)) {
+    seen.push_back(echo->plot);
+    echo->used = true;
+  }
+  if (seen.empty())
+    miss(track);
+  else
+    take(track, resolved(seen, track.window, params_.ambiguity));
+  openNext(track);
+}
+
+std::vector<WindowTracker::Echo*> WindowTracker::echoesIn(const TrackFile& track) {
+  std::vector<Echo*> inside;
+  for (Echo& echo : echoes_) {
+    const bool in = track.window.isOpenIn(echo.running) && track.window.contains(echo.plot);
+    if (in && (track.window.tracking || !echo.used) && !isClaimed(echo, track)) inside.push_back(&echo);
+  }
+  return inside;
+}
+
+/// Tracking windows come before acquisition windows, and those of believed tracks before others.
+int WindowTracker::rankOf(const TrackFile& track) const { return believed(track) ? 2 : int{track.window.tracking}; }
+
+bool WindowTracker::isClaimed(const Echo& echo, const TrackFile& by) const {
+  const int rank = rankOf(by);
+  return std::any_of(tracks_.begin(), tracks_.end(), [&](const auto& entry) {
+    const TrackFile& other = entry.second;
+    if (other.number == by.number) return false;
+    const int its = rankOf(other);
+    const bool stronger = its > rank || (its == rank && rank > 0 && params_.overlap == Overlap::kMomentum);
+    if (!stronger) return false;
+    const TrackWindow* window = windowOf(other, echo.running);
+    return window != nullptr && window->tracking && window->contains(echo.plot);
+  });
+}
+
+void WindowTracker::take(TrackFile& track, const tws::Plot& plot) {
+  if (!track.motion) {
+    track.motion = motion_.start(plot);
+    track.first_time = plot.time;
+  } else {
+    const double dt = plot.time - track.motion->time;
+    if (track.hits >= 2) learnError(track.error, plot, at(track, plot.time), params_.error_weight);
+    if (track.hits == 1) track.error = firstError(plot.range, dt, sigmasOf(plot, params_), params_);
+    motion_.update(*track.motion, plot);
+  }
+  track.measured = plot;
+  track.last_update = plot.time;
+  ++track.hits;
+  track.misses = 0;
+  track.type = typeOf(track.type, track.baseline, plot, params_);
+  track.priority = priorityOf(track.type, at(track, plot.time), params_);
+  news_.emplace_back(track.number, WindowEvent::kUpdated);
+}
+
+void WindowTracker::miss(TrackFile& track) {
+  ++track.misses;
+  news_.emplace_back(track.number, WindowEvent::kMissed);
+}
+
+/// Where and when the beam will meet the target next, and the window there.
+void WindowTracker::openNext(TrackFile& track) {
+  const double period = beam_.period();
+  const double latest = track.misses == 0 ? track.last_update : track.window.time;
+  double time = latest + period;
+  WindowKinematics predicted;
+  for (int i = 0; i < 3; ++i) {
+    predicted = at(track, time);
+    time += tws::angularDifference(predicted.azimuth, beam_.azimuthAt(time)) / tws::kTwoPi * period;
+  }
+  predicted = at(track, std::max(time, latest + 0.5 * period));
+  const PlotSigmas sigmas = sigmasOf(track.measured, params_);
+  const double dt = predicted.time - track.last_update;
+  track.previous = track.window;
+  track.window.tracking = track.hits >= 2;
+  openWindow(track, predicted,
+             track.window.tracking ? trackingSize(predicted.range, dt, sigmas, track.error, track.misses, params_)
+                                   : acquisitionSize(predicted.range, dt, sigmas, params_));
+}
+
+void WindowTracker::openWindow(TrackFile& track, const WindowKinematics& predicted, const WindowSize& size) {
+  const std::int64_t middle = beam_.runningAt(predicted.time);
+  const auto half = static_cast<std::int64_t>(std::ceil(size.azimuth / tws::kSectorWidth)) + kMargin;
+  TrackWindow& window = track.window;
+  window.time = predicted.time;
+  window.range = predicted.range;
+  window.azimuth = predicted.azimuth;
+  window.half_range = size.range;
+  window.half_azimuth = size.azimuth;
+  window.open = std::max(middle - half, track.previous.close + 1);
+  window.close = std::max(middle + half, window.open);
+}
+
+/// A detection starts a track as soon as no window that holds it is still to be decided; one in a tracking window
+/// belongs to that track, taken or not.
+void WindowTracker::initiate(std::int64_t running) {
+  for (Echo& echo : echoes_) {
+    if (echo.used || echo.running > running - 2 * kMargin || isAwaited(echo, running)) continue;
+    echo.used = true;
+    if (!params_.automatic || belongsToATrack(echo)) continue;
+    if (TrackFile* track = open(echo.plot.time)) {
+      take(*track, echo.plot);
+      news_.back().second = WindowEvent::kStarted;
+      openNext(*track);
+    }
+  }
+}
+
+bool WindowTracker::isAwaited(const Echo& echo, std::int64_t running) const {
+  return std::any_of(tracks_.begin(), tracks_.end(), [&](const auto& entry) {
+    const TrackWindow& window = entry.second.window;
+    return window.close > running && window.isOpenIn(echo.running) && window.contains(echo.plot);
+  });
+}
+
+bool WindowTracker::belongsToATrack(const Echo& echo) const {
+  return std::any_of(tracks_.begin(), tracks_.end(), [&](const auto& entry) {
+    const TrackWindow* window = windowOf(entry.second, echo.running);
+    return window != nullptr && window->tracking && window->contains(echo.plot);
+  });
+}
+
+/// A new track file; null when all numbers are in use.
+TrackFile* WindowTracker::open(double time) {
+  const std::optional<std::uint32_t> number = numbers_.take();
+  if (!number) {
+    ++counts_.refused_tracks;
+    return nullptr;
+  }
+  TrackFile& track = tracks_[*number];
+  track.number = *number;
+  track.uid = next_uid_++;
+  track.first_time = track.last_update = time;
+  return &track;
+}
+
+std::optional<std::uint32_t> WindowTracker::designate(double range, double azimuth) {
+  if (!beam_.heard()) return std::nullopt;
+  TrackFile* track = open(beam_.now());
+  if (track == nullptr) return std::nullopt;
+  track->designated = true;
+  track->measured.time = beam_.now();
+  track->measured.range = range;
+  track->measured.azimuth = tws::wrapTwoPi(azimuth);
+  // The marker was set on a picture that is up to a scan old.
+  const double ahead = tws::wrapTwoPi(azimuth - beam_.azimuthAt(beam_.now())) / tws::kTwoPi * beam_.period();
+  openWindow(*track, at(*track, beam_.now() + ahead),
+             acquisitionSize(range, ahead + beam_.period(), sigmasOf(track->measured, params_), params_));
+  news_.emplace_back(track->number, WindowEvent::kStarted);
+  return track->number;
+}
+
+bool WindowTracker::cancel(std::uint32_t number) {
+  const auto found = tracks_.find(number);
+  if (found == tracks_.end()) return false;
+  numbers_.drop(number);
+  news_.erase(std::remove_if(news_.begin(), news_.end(), [&](const auto& n) { return n.first == number; }),
+              news_.end());
+  dropped_.push_back(std::move(found->second));
+  tracks_.erase(found);
+  return true;
+}
+
+void WindowTracker::cancelAll() {
+  while (!tracks_.empty()) cancel(tracks_.begin()->first);
+}
+
+bool WindowTracker::believed(const TrackFile& track) const {
+  return track.hits >= params_.firm_hits && (track.designated || track.type >= TargetType::kSurface);
+}
+
+WindowKinematics WindowTracker::at(const TrackFile& track, double time) const {
+  if (track.motion) return motion_.at(*track.motion, time);
+  WindowKinematics marker;
+  marker.time = time;
+  marker.range = track.measured.range;
+  marker.azimuth = track.measured.azimuth;
+  marker.position = tws::planarFromPolar(marker.range, marker.azimuth);
+  return marker;
+}
+
+void WindowTracker::cancelLost() {
+  std::vector<std::uint32_t> lost;
+  for (const auto& [number, track] : tracks_) {
+    if (track.misses >= (believed(track) ? params_.missed_scans : params_.acquisition_scans)) lost.push_back(number);
+  }
+  for (const std::uint32_t number : lost) cancel(number);
+}
+
+void WindowTracker::report(const tws::RadarSector& sector) {
+  cancelLost();
+  WindowReport report{sector.running, sector.enter_time, {}};
+  for (const TrackFile& track : dropped_) report.words.push_back({&track, WindowEvent::kDropped});
+  for (const auto& [number, event] : news_) {
+    const auto found = tracks_.find(number);
+    if (found != tracks_.end()) report.words.push_back({&found->second, event});
+  }
+  on_report_(report);
+  dropped_.clear();
+  news_.clear();
+}
+
+}  // namespace range_gate_tracker
