@@ -105,7 +105,11 @@ class PpiNode::Impl {
       const double heard = tracks.header.stamp.toSec();
       picture_.hearTracker(source, heard);
       for (const tws_msgs::Track& track : tracks.tracks)
-        orCount(origin, [&] { picture_.hear(trackReport(track, source, tracker.prefix, heard, frame)); });
+        orCount(origin, [&] {
+          TrackReport report = trackReport(track, source, tracker.prefix, heard, frame);
+          report.symbol_only = tracker.symbols_only;
+          picture_.hear(report);
+        });
     });
   }
 

@@ -40,6 +40,7 @@ TrackerParams readTracker(ParameterReader& reader) {
   tracker.name = tracker.topic;
   reader.text("name", tracker.name);
   reader.text("prefix", tracker.prefix);
+  reader.flag("symbols_only", tracker.symbols_only);
   reader.done();
   return tracker;
 }
@@ -63,7 +64,7 @@ void readLists(ParameterReader& reader, PpiParams& params) {
   if (!reader.has("radars"))
     for (const char* name : {"sps12", "sps39", "sps10"})
       params.radars.push_back(defaultRadar(name, params.radars.size()));
-  if (!reader.has("trackers")) params.trackers.push_back({"adit", "/adit/tracks", ""});
+  if (!reader.has("trackers")) params.trackers.push_back({"adit", "/adit/tracks", "", false});
 }
 
 void readPicture(ParameterReader& reader, PpiParams& params) {

@@ -20,9 +20,10 @@ struct RadarParams {
 };
 
 struct TrackerParams {
-  std::string name;    // for the table in the corner
-  std::string topic;   // of Tracks
-  std::string prefix;  // stands before the track numbers
+  std::string name;           // for the table in the corner
+  std::string topic;          // of Tracks
+  std::string prefix;         // stands before the track numbers
+  bool symbols_only = false;  // triangles without leaders, trails and labels
 };
 
 /// What joins tracks of other trackers: while it speaks, its picture stands in place of theirs.

@@ -57,7 +57,7 @@ TEST(PpiParams, TheShippedFileHoldsTheDefaults) {
 TEST(PpiParams, RadarsAndTrackersAreLists) {
   const PpiParams params = load(
       "{radars: [{name: msr, color: [1, 0.5, 0]}, {name: ssr, detections: /ssr/skin, plots: /ssr/replies}],"
-      " trackers: [{topic: /adit/tracks}, {topic: /ssr/tracks, prefix: S}]}");
+      " trackers: [{topic: /adit/tracks}, {topic: /ssr/tracks, prefix: S, symbols_only: true}]}");
   ASSERT_EQ(params.radars.size(), 2u);
   EXPECT_EQ(params.radars[0].sector_marks, "/msr/sector_marks");
   EXPECT_EQ(params.radars[0].plots, "/msr/plots");
@@ -67,6 +67,8 @@ TEST(PpiParams, RadarsAndTrackersAreLists) {
   ASSERT_EQ(params.trackers.size(), 2u);
   EXPECT_EQ(params.trackers[0].name, "/adit/tracks");
   EXPECT_EQ(params.trackers[1].prefix, "S");
+  EXPECT_FALSE(params.trackers[0].symbols_only);
+  EXPECT_TRUE(params.trackers[1].symbols_only);
 }
 
 // Two radars in one colour cannot be told apart.

@@ -35,6 +35,7 @@ Polygon symbolOf(const TrackReport& report, const PpiStyle& style) {
 // nothing: most of these are false, and their numbers would fill the picture.
 std::string labelText(const TrackReport& report) {
   std::string text = report.name;
+  if (report.symbol_only) return std::string();
   if (report.state == TrackState::kTentative) return report.velocity.isZero() ? std::string() : text;
   const double speed = report.velocity.norm();
   if (std::isfinite(speed)) text += "\n" + std::to_string(std::lround(tws::knotsFromSpeed(speed))) + "kn";
@@ -81,7 +82,8 @@ void TrackPicture::draw(Drawing& drawing, double time, const PpiStyle& style, co
   std::vector<LivingTrack*> shown;
   for (auto& [key, track] : tracks_)
     if (!track.believed || covered.count(key.first) == 0) shown.push_back(&track);
-  for (const LivingTrack* track : shown) drawTrail(drawing, *track, time, style);
+  for (const LivingTrack* track : shown)
+    if (!track->report.symbol_only) drawTrail(drawing, *track, time, style);
   for (const LivingTrack* track : shown) drawSymbol(drawing, track->report, style);
   drawLabels(drawing, shown, style);
 }
@@ -96,6 +98,10 @@ void TrackPicture::drawTrail(Drawing& drawing, const LivingTrack& track, double 
 
 void TrackPicture::drawSymbol(Drawing& drawing, const TrackReport& report, const PpiStyle& style) const {
   const Rgba& color = colorOf(report, style);
+  if (report.symbol_only) {
+    constexpr double kDimmed = 0.7;
+    return addPolygon(drawing, report.position, {3, 1.5 * style.symbol, 0.0}, style.line, faded(color, kDimmed));
+  }
   const Eigen::Vector2d leader = look_.leader_time * report.velocity;
   if (leader.allFinite()) addLine(drawing, report.position, report.position + leader, style.line, color);
   addPolygon(drawing, report.position, symbolOf(report, style), style.line, color);

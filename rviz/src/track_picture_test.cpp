@@ -42,6 +42,20 @@ TEST(TrackPicture, TheSpeedLeaderEndsWhereTheTrackWillBeInAMinute) {
   EXPECT_NEAR(eastEnd(drawn(tracks, 100.0)), 1000.0 + 60.0 * 200.0, 1e-6);
 }
 
+// A second tracker's tracks must not hide the first one's labels.
+TEST(TrackPicture, ATrackerBesideTheMainOneHasSymbolsOnly) {
+  TrackPicture tracks(kLook);
+  for (double time : {60.0, 80.0, 100.0}) {
+    TrackReport beside = report(7, TrackState::kFirm, time, 1000.0);
+    beside.symbol_only = true;
+    tracks.hear(beside);
+  }
+  const Drawing drawing = drawn(tracks, 100.0);
+  EXPECT_TRUE(drawing.labels.empty());
+  EXPECT_FALSE(drawing.triangles.empty());
+  EXPECT_LT(eastEnd(drawing), 1000.0 + 3.0 * kStyle.symbol);
+}
+
 TEST(TrackPicture, ATrackWithoutVelocityHasNeitherLeaderNorSpeed) {
   TrackPicture tracks(kLook);
   TrackReport silent = report(7, TrackState::kFirm, 100.0, 1000.0);

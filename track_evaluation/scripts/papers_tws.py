@@ -83,7 +83,7 @@ def stability(runs):
     """On both sides of the edge 4 - 2 alpha - beta = 0, whose filters would be refused outside."""
     calm, refused, points = 0, 0, [(alpha, 4 - 2 * alpha) for alpha in (0.2, 0.6, 1.0, 1.4, 1.8)]
     for alpha, edge in points:
-        pulse = [0.0] * 20 + [1.0] + [0.0] * 1000
+        pulse = [0.0] * 20 + [1.0] + [0.0] * 3000
         end = filtered(runs, ["--kind", "alpha_beta", "--alpha", alpha, "--beta", 0.98 * edge], [pulse])[0][-1]
         calm += abs(end[0]) < 1e-3
         try:
