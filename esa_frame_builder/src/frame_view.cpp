@@ -27,19 +27,26 @@ double detectionProbability(double snr, double false_alarm_probability) {
   return std::pow(false_alarm_probability, 1.0 / (1.0 + snr));
 }
 
+DwellView viewOf(const FrameTrack& track, const Dwell& dwell, const ArrayPose& pose, const MfaStubParams& params) {
+  DwellView view;
+  if (dwell.time < track.time) return view;
+  view.state = track.state;
+  tws::predict(view.state, dwell.time - track.time, params.acceleration_density);
+  view.seen = arrayView(view.state, pose);
+  if (!view.seen.is_ahead || view.seen.range < dwell.range_min || view.seen.range > dwell.range_max) return view;
+  view.loss = beamLoss(dwell, view.seen);
+  view.detection_probability = detectionProbability(track.snr * view.loss, params.false_alarm_probability);
+  return view;
+}
+
 FrameView viewOf(const FrameTrack& track, const Frame& frame, const ArrayPose& pose, const MfaStubParams& params) {
   FrameView view;
   double missed = 1.0, best = 0.0;
   for (const Dwell& dwell : frame.dwells) {
-    if (dwell.time < track.time) continue;
-    tws::SpatialState state = track.state;
-    tws::predict(state, dwell.time - track.time, params.acceleration_density);
-    const ArrayView seen = arrayView(state, pose);
-    if (!seen.is_ahead || seen.range < dwell.range_min || seen.range > dwell.range_max) continue;
-    const double chance = detectionProbability(track.snr * beamLoss(dwell, seen), params.false_alarm_probability);
-    missed *= 1.0 - chance;
-    if (chance <= best) continue;
-    best = chance;
+    const DwellView& one = view.dwells.emplace_back(viewOf(track, dwell, pose, params));
+    missed *= 1.0 - one.detection_probability;
+    if (one.detection_probability <= best) continue;
+    best = one.detection_probability;
     view.time = dwell.time;
   }
   view.detection_probability = 1.0 - missed;

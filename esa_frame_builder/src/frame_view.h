@@ -6,8 +6,17 @@
 
 namespace esa_frame_builder {
 
-/// How a frame's dwells see one track.
+/// How one dwell sees one track.
+struct DwellView {
+  tws::SpatialState state;  // predicted to the dwell
+  ArrayView seen;
+  double loss = 0.0;  // of signal, 1: none; 0: the dwell cannot see it
+  double detection_probability = 0.0;
+};
+
+/// How all dwells of a frame see one track.
 struct FrameView {
+  std::vector<DwellView> dwells;
   double detection_probability = 0.0;  // in at least one of the dwells
   double time = 0.0;                   // of the dwell that sees it best [s]
 };

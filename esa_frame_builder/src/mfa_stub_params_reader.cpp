@@ -15,6 +15,7 @@ MfaStubParams readMfaStubParams(tws_runtime::ParameterReader& reader) {
   reader.number("extraneous_density", params.extraneous_density, 1e-20, 1.0);
   reader.number("false_alarm_probability", params.false_alarm_probability, 1e-12, 0.1);
   reader.number("least_detection_probability", params.least_detection_probability, 1e-3, 0.5);
+  reader.number("range_resolution_m", params.range_resolution, 0.0, 1e5);
   reader.number("drop_score", params.drop_score, 0.1, 1000.0);
   reader.number("greatest_coast_s", params.greatest_coast, 0.1, 3600.0);
   reader.number("duplicate_chi2", params.duplicate_chi2, 0.0, 1000.0);

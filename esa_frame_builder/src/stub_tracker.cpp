@@ -10,6 +10,8 @@
 namespace esa_frame_builder {
 namespace {
 
+constexpr double kSurest = 0.999;  // detection probability
+
 // Log-likelihood of an innovation.
 double logLikelihood(const tws::SpatialInnovation& innovation) {
   return -0.5 * (innovation.nis + std::log(innovation.covariance.determinant()) + 3.0 * std::log(tws::kTwoPi));
@@ -28,49 +30,69 @@ std::vector<TrackWord> lastWords(const std::vector<TrackWord>& words) {
 
 void StubTracker::take(const FrameWindow& window) {
   const Frame& frame = window.closed().front();
-  const std::vector<Plot> plots = plotsOf(frame);
-  const std::vector<bool> used = update(tracks_, frame, plots, words_);
+  const Scene scene = sceneOf(tracks_, frame);
+  const std::vector<bool> used = update(tracks_, scene, words_);
   judge(frame);
-  initiate(plots, used);
+  initiate(scene.plots, used);
 }
 
 TrackReport StubTracker::report(const FrameWindow& window) {
   TrackReport report;
   std::vector<Kept> tracks = tracks_;
-  for (const Frame& frame : window.open()) update(tracks, frame, plotsOf(frame), words_);
+  for (const Frame& frame : window.open()) update(tracks, sceneOf(tracks, frame), words_);
   report.words = lastWords(words_);
   words_.clear();
   for (const Kept& kept : tracks) report.living.push_back(kept.track);
   return report;
 }
 
+StubTracker::Scene StubTracker::sceneOf(const std::vector<Kept>& tracks, const Frame& frame) const {
+  Scene scene;
+  for (const Kept& kept : tracks) {
+    scene.tracks.push_back(&kept.track);
+    scene.views.push_back(viewOf(kept.track, frame, pose_, params_));
+  }
+  scene.plots = plotsOf(frame);
+  return scene;
+}
+
 std::vector<StubTracker::Plot> StubTracker::plotsOf(const Frame& frame) const {
   std::vector<Plot> plots;
-  for (const Dwell& dwell : frame.dwells)
-    for (const Measurement& measurement : dwell.measurements) {
+  for (std::size_t k = 0; k < frame.dwells.size(); ++k)
+    for (const Measurement& measurement : frame.dwells[k].measurements) {
       const tws::SpatialMeasurement place = spatialMeasurement(measurement, pose_);
       // At the very edge of the visible region a direction says nothing about the distance along boresight.
       if (place.position.allFinite() && place.covariance.allFinite())
-        plots.push_back({dwell.time, measurement.snr, place});
+        plots.push_back({k, frame.dwells[k].time, measurement.snr, place});
     }
   return plots;
 }
 
-std::vector<bool> StubTracker::update(std::vector<Kept>& tracks, const Frame& frame, const std::vector<Plot>& plots,
-                                      std::vector<TrackWord>& words) {
-  std::vector<FrameView> views;
-  for (const Kept& kept : tracks) views.push_back(viewOf(kept.track, frame, pose_, params_));
-  const std::vector<int> plot_of = associate(tracks, views, plots);
-  std::vector<bool> used(plots.size(), false);
+// The likelier of the two.
+StubTracker::Reading StubTracker::readingOf(const Scene& scene, std::size_t track, const Plot& plot) const {
+  const tws::SpatialState& state = scene.views[track].dwells[plot.dwell].state;
+  Reading own{plot.place, tws::innovation(state, plot.place), {}};
+  MergedEcho echo = mergedEcho(track, plot.dwell, scene.tracks, scene.views, params_.range_resolution);
+  if (echo.members.empty()) return own;
+  const tws::SpatialMeasurement part = shareOf(echo, plot.place, state);
+  // The echo's place is predicted with the covariance that is already in `part`.
+  tws::SpatialState centre;
+  centre.mean.head<3>() = state.mean.head<3>();
+  Reading merged{part, tws::innovation(centre, part), std::move(echo)};
+  return logLikelihood(merged.innovation) > logLikelihood(own.innovation) ? merged : own;
+}
+
+std::vector<bool> StubTracker::update(std::vector<Kept>& tracks, const Scene& scene, std::vector<TrackWord>& words) {
+  const std::vector<Taken> taken = take(scene, associate(scene));
+  std::vector<bool> used(scene.plots.size(), false);
   for (std::size_t i = 0; i < tracks.size(); ++i) {
     TrackWord word;
-    if (plot_of[i] >= 0) {
-      const std::size_t plot = static_cast<std::size_t>(plot_of[i]);
-      used[plot] = true;
-      see(tracks[i], plots[plot], views[i].detection_probability);
+    if (taken[i].plot) {
+      used[*taken[i].plot] = true;
+      see(tracks[i], scene.views[i], scene.plots[*taken[i].plot], taken[i]);
       word.track = tracks[i].track;
-    } else if (views[i].detection_probability >= params_.least_detection_probability) {
-      miss(tracks[i], views[i], word);
+    } else if (scene.views[i].detection_probability >= params_.least_detection_probability) {
+      miss(tracks[i], scene.views[i], word);
     } else {
       continue;  // Out of view: neither said nor scored.
     }
@@ -79,49 +101,72 @@ std::vector<bool> StubTracker::update(std::vector<Kept>& tracks, const Frame& fr
   return used;
 }
 
-std::vector<int> StubTracker::associate(const std::vector<Kept>& tracks, const std::vector<FrameView>& views,
-                                        const std::vector<Plot>& plots) {
+std::vector<int> StubTracker::associate(const Scene& scene) {
   pairs_.clear();
-  for (std::size_t row = 0; row < tracks.size(); ++row) addPairs(row, tracks[row], views[row], plots);
-  return solver_.solve(pairs_, tracks.size(), plots.size(), 0.0);
+  for (std::size_t row = 0; row < scene.tracks.size(); ++row) addPairs(scene, row);
+  return solver_.solve(pairs_, scene.tracks.size(), scene.plots.size(), 0.0);
 }
 
 // A pair costs what it makes the track less likely, compared with a miss.
-void StubTracker::addPairs(std::size_t row, const Kept& kept, const FrameView& view, const std::vector<Plot>& plots) {
-  const double chance = std::clamp(view.detection_probability, params_.least_detection_probability, 0.999);
-  tws::SpatialState state;
-  double time = -1.0;
-  for (std::size_t column = 0; column < plots.size(); ++column) {
-    const Plot& plot = plots[column];
-    if (plot.time < kept.track.time) continue;
-    if (plot.time != time) {
-      state = kept.track.state;
-      tws::predict(state, plot.time - kept.track.time, params_.acceleration_density);
-      time = plot.time;
-    }
-    const tws::SpatialInnovation innovation = tws::innovation(state, plot.place);
-    if (!(innovation.nis <= params_.gate_chi2)) continue;
-    const double gain = logLikelihood(innovation) + std::log(chance / ((1.0 - chance) * params_.extraneous_density));
+void StubTracker::addPairs(const Scene& scene, std::size_t row) {
+  const double chance =
+      std::clamp(scene.views[row].detection_probability, params_.least_detection_probability, kSurest);
+  for (std::size_t column = 0; column < scene.plots.size(); ++column) {
+    if (scene.plots[column].time < scene.tracks[row]->time) continue;
+    const Reading reading = readingOf(scene, row, scene.plots[column]);
+    if (!(reading.innovation.nis <= params_.gate_chi2)) continue;
+    const double gain =
+        logLikelihood(reading.innovation) + std::log(chance / ((1.0 - chance) * params_.extraneous_density));
     if (gain > 0.0) pairs_.push_back({static_cast<std::uint32_t>(row), static_cast<std::uint32_t>(column), -gain});
   }
 }
 
-void StubTracker::see(Kept& kept, const Plot& plot, double chance) const {
+std::vector<StubTracker::Taken> StubTracker::take(const Scene& scene, const std::vector<int>& plot_of) const {
+  std::vector<Taken> taken(scene.tracks.size());
+  for (std::size_t i = 0; i < taken.size(); ++i) {
+    if (plot_of[i] < 0) continue;
+    const std::size_t plot = static_cast<std::size_t>(plot_of[i]);
+    taken[i] = {plot, true, readingOf(scene, i, scene.plots[plot])};
+  }
+  for (std::size_t i = 0; i < taken.size(); ++i)
+    if (taken[i].is_own) share(scene, i, taken);
+  return taken;
+}
+
+// The other members of a shared echo that have no plot of their own take part in it, unless they cannot be told from
+// the giver: then they are one target's tracks, and one of them has to go.
+void StubTracker::share(const Scene& scene, std::size_t giver, std::vector<Taken>& taken) const {
+  const Plot& plot = scene.plots[*taken[giver].plot];
+  const MergedEcho& echo = taken[giver].reading.echo;
+  const tws::SpatialState& from = scene.views[giver].dwells[plot.dwell].state;
+  for (const std::size_t i : echo.members) {
+    if (taken[i].plot) continue;
+    const tws::SpatialState& state = scene.views[i].dwells[plot.dwell].state;
+    const tws::SpatialMeasurement other{from.mean.head<3>(), from.covariance.topLeftCorner<3, 3>()};
+    if (tws::innovation(state, other).nis <= params_.duplicate_chi2) continue;
+    taken[i].plot = taken[giver].plot;
+    taken[i].reading.measurement = shareOf(echo, plot.place, state);
+  }
+}
+
+// A share in another track's plot moves the track, but says nothing for or against it.
+void StubTracker::see(Kept& kept, const FrameView& view, const Plot& plot, const Taken& taken) const {
   FrameTrack& track = kept.track;
-  tws::predict(track.state, plot.time - track.time, params_.acceleration_density);
-  const tws::SpatialInnovation innovation = tws::innovation(track.state, plot.place);
-  tws::update(track.state, plot.place, innovation);
+  track.state = view.dwells[plot.dwell].state;
+  tws::update(track.state, taken.reading.measurement, tws::innovation(track.state, taken.reading.measurement));
   track.time = track.last_update = plot.time;
-  track.score += logLikelihood(innovation) +
-                 std::log(std::max(chance, params_.least_detection_probability) / params_.extraneous_density);
+  if (!taken.is_own) return;
+  track.score +=
+      logLikelihood(taken.reading.innovation) +
+      std::log(std::max(view.detection_probability, params_.least_detection_probability) / params_.extraneous_density);
   kept.best_score = std::max(kept.best_score, track.score);
   ++kept.hits;
-  track.snr += (plot.snr - track.snr) / std::min(kept.hits, 10);
+  if (taken.reading.echo.members.empty()) track.snr += (plot.snr - track.snr) / std::min(kept.hits, 10);
 }
 
 // The word shows the track where it should have been seen; the track itself stays at its last update.
 void StubTracker::miss(Kept& kept, const FrameView& view, TrackWord& word) const {
-  kept.track.score += std::log(1.0 - std::min(view.detection_probability, 0.999));
+  kept.track.score += std::log(1.0 - std::min(view.detection_probability, kSurest));
   word.track = kept.track;
   word.seen = FrameCase::kMissed;
   tws::predict(word.track.state, view.time - kept.track.time, params_.acceleration_density);
