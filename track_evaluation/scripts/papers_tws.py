@@ -104,8 +104,9 @@ def noise_reduction(runs, seeds, Sample):
         ratios = []
         for seed in seeds:
             noise = random.Random(seed)
-            series = [noise.gauss(0.0, SIGMA) for _ in range(5000)]
-            ratios.append(statistics.fmean(row[0] ** 2 for row in filtered(runs, options, [series])[0][100:]) / SIGMA**2)
+            series = [noise.gauss(0.0, SIGMA) for _ in range(20000)]
+            smoothed = [row[0] for row in filtered(runs, options, [series])[0]]
+            ratios.append(statistics.fmean(v * v for v in smoothed[100:]) / statistics.fmean(v * v for v in series[100:]))
         sample = Sample(ratios)
         lines.append((f"small gains smooth well: variance left by {name}", f"no number; formula {expected:.3f}", sample.in_words(digits=3), within(expected, sample)))
     return lines
