@@ -17,7 +17,8 @@
 namespace tws_launch {
 namespace {
 
-const std::set<std::string> kLiveOnly{"rosbag/play", "rosbag/record", "rviz/rviz", "tws_rviz/ppi_node"};
+const std::set<std::string> kLiveOnly{"rosbag/play", "rosbag/record", "rviz/rviz", "tws_rviz/ppi_node",
+                                      "tws_rviz/sine_space_node"};
 
 }  // namespace
 

@@ -23,6 +23,7 @@ struct Options {
   std::string correlator;
   std::string windows;
   std::string window_params;
+  std::string frame_builder;
   std::optional<std::int64_t> seed;
   std::optional<double> duration;
 };
@@ -58,6 +59,8 @@ std::vector<tws_launch::NodeDescription> describe(const Options& options, const 
   if (!windows.empty()) arguments.push_back("windows:=" + windows);
   if (!options.window_params.empty())
     arguments.push_back("window_params:=" + std::filesystem::absolute(options.window_params).string());
+  if (!options.frame_builder.empty())
+    arguments.push_back("frame_builder:=" + std::filesystem::absolute(options.frame_builder).string());
   if (options.seed) arguments.push_back("seed:=" + std::to_string(*options.seed));
   return tws_launch::describeGraph(launch_file, arguments);
 }
@@ -97,6 +100,8 @@ int main(int argc, char** argv) {
     app.add_option("--out", options.out, "folder for run.bag");
     app.add_option("--params", options.params,
                    "parameter set of the ADIT tracker: default, nrl7952 or the path of a file");
+    app.add_option("--frame-builder", options.frame_builder,
+                   "parameters of the frame builder, in place of its own file");
     app.add_option("--correlator", options.correlator, "parameters of the correlator, in place of its own file")
         ->check(CLI::ExistingFile);
     app.add_option("--windows", options.windows, "the radar that the window tracker tracks, too");

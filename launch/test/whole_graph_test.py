@@ -17,8 +17,8 @@ import yaml
 SCENARIO = "full"
 DURATION = 30  # of data time [s]: long enough for firm tracks, coasts and drops
 RADARS = ["sps12", "sps39"]
-SENSOR_TOPICS = [f"/{radar}/{kind}" for radar in RADARS for kind in ("detections", "sector_marks")] + ["/ssr/plots", "/ssr/sector_marks"]
-TRACK_TOPICS = ["/adit/tracks", "/ssr/tracks", "/correlated/tracks", "/tws/tracks"]
+SENSOR_TOPICS = [f"/{radar}/{kind}" for radar in RADARS for kind in ("detections", "sector_marks")] + ["/ssr/plots", "/ssr/sector_marks", "/esa/dwell_reports"]
+TRACK_TOPICS = ["/adit/tracks", "/ssr/tracks", "/correlated/tracks", "/tws/tracks", "/esa/frames", "/esa/tracks", "/esa/track_database"]
 WINDOWS = "sps12"  # The radar of the window tracker.
 
 
@@ -32,7 +32,7 @@ def command(*words):
 
 def launch(file, record, **arguments):
     command("roslaunch", "--no-summary", "tws_launch", file, f"record:={record}", "rviz:=false", f"radars:={' '.join(RADARS)}",
-            "secondary_radars:=ssr", *(f"{name}:={value}" for name, value in arguments.items()))
+            "secondary_radars:=ssr", "array_radars:=esa", *(f"{name}:={value}" for name, value in arguments.items()))
     return record
 
 
@@ -51,7 +51,7 @@ def late(bag):
     counts = {}
     for _, message, _ in rosbag.Bag(str(bag)).read_messages(["/diagnostics"]):
         for status in message.status:
-            counts.update({f"{status.hardware_id}: {v.key}": int(v.value) for v in status.values if v.key.startswith("late")})
+            counts.update({f"{status.hardware_id}: {v.key}": int(v.value) for v in status.values if "late" in v.key.split()})
     return {name: count for name, count in counts.items() if count}
 
 
@@ -140,10 +140,24 @@ class WholeGraphTest(unittest.TestCase):
                     identities.setdefault(word.primary, set()).add((word.identity, word.track.mode_3a))
         self.assertEqual(sorted(len(names) for names in identities.values()), [1, 1, 1])
 
+    def test_the_array_radar_is_steered_by_its_tracker(self):
+        """The loop is closed: dwells on tracks, of which there are firm ones; each report is answered."""
+        with rosbag.Bag(str(self.live)) as bag:
+            reports = [message for _, message, _ in bag.read_messages(["/esa/dwell_reports"])]
+            answers = [message.header.stamp for _, message, _ in bag.read_messages(["/esa/track_database"])]
+            firm = {track.uid for _, message, _ in bag.read_messages(["/esa/tracks"]) for track in message.tracks if track.state == track.FIRM}
+        self.assertEqual(len(reports), 10 * DURATION)
+        self.assertEqual(answers, [message.header.stamp for message in reports][:len(answers)])
+        self.assertGreaterEqual(len(answers), len(reports) - 1)
+        self.assertGreaterEqual(len(firm), 8, "the formation alone has eight")
+        expected = {number for message in reports for dwell in message.dwells if dwell.is_track_dwell for number in dwell.dwell_group_indices}
+        self.assertTrue(firm & expected)
+
     def test_an_offline_run_of_the_scenario_gives_the_same_tracks(self):
         bag = offline(f"{command('rospack', 'find', 'tws_launch').strip()}/scenarios/{SCENARIO}.yaml", self.folder / "offline",
                       "--duration", DURATION)
         self.check_same_tracks(bag, "offline from the scenario")
+        self.check_same_bytes(tracks(self.live, "/esa/dwell_reports"), tracks(bag, "/esa/dwell_reports"), "offline from the scenario", "/esa/dwell_reports")
         self.assertEqual(publications(bag), publications(self.live))
 
     def test_an_offline_run_of_the_bag_gives_the_same_tracks(self):

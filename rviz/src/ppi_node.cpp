@@ -12,10 +12,10 @@
 #include <optional>
 #include <stdexcept>
 
-#include "marker_layer.h"
 #include "ppi_input.h"
 #include "ppi_params.h"
 #include "ppi_picture.h"
+#include "screen.h"
 
 namespace tws_rviz {
 namespace {
@@ -29,19 +29,6 @@ constexpr double kFuture = 10.0;
 constexpr double kFrameWait = 5.0;
 // RViz forgets all markers when it is reset, by hand or by a time that goes back; so the background is sent again [s].
 constexpr double kBackgroundPeriod = 2.0;
-
-// A layer of the picture and the topic on which it goes out.
-class Screen {
- public:
-  Screen(tws_runtime::Bus& bus, const std::string& frame, const std::string& name, double height, bool latched = false)
-      : layer_(frame, name, height),
-        publisher_(bus.advertise<visualization_msgs::MarkerArray>("/ppi/" + name, latched)) {}
-  void show(const Drawing& drawing, ros::Time time) { publisher_.publish(layer_.show(drawing, time)); }
-
- private:
-  MarkerLayer layer_;
-  tws_runtime::Publisher<visualization_msgs::MarkerArray> publisher_;
-};
 
 }  // namespace
 
@@ -228,13 +215,13 @@ class PpiNode::Impl {
   std::map<std::string, ros::Time> missing_frames_;  // and when they were first missed
 
   // From the bottom to the top.
-  Screen background_screen_{bus_, params_.frame, "background", 0.0, true};
-  Screen sweep_screen_{bus_, params_.frame, "sweep", 1.0};
-  Screen detection_screen_{bus_, params_.frame, "detections", 2.0};
-  Screen clutter_screen_{bus_, params_.frame, "clutter", 3.0};
-  Screen truth_screen_{bus_, params_.frame, "truth", 4.0};
-  Screen track_screen_{bus_, params_.frame, "tracks", 5.0};
-  Screen status_screen_{bus_, params_.frame, "status", 6.0};
+  Screen background_screen_{bus_, params_.frame, "ppi", "background", 0.0, true};
+  Screen sweep_screen_{bus_, params_.frame, "ppi", "sweep", 1.0};
+  Screen detection_screen_{bus_, params_.frame, "ppi", "detections", 2.0};
+  Screen clutter_screen_{bus_, params_.frame, "ppi", "clutter", 3.0};
+  Screen truth_screen_{bus_, params_.frame, "ppi", "truth", 4.0};
+  Screen track_screen_{bus_, params_.frame, "ppi", "tracks", 5.0};
+  Screen status_screen_{bus_, params_.frame, "ppi", "status", 6.0};
 };
 
 PpiNode::PpiNode(tws_runtime::Bus& bus) : impl_(std::make_unique<Impl>(bus)) {}

@@ -1,0 +1,88 @@
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "drawing.h"
+#include "ppi_style.h"
+
+namespace tws_rviz {
+
+/// One echo in sine space; the range tells apart what lies in one direction.
+struct SineSpaceBlip {
+  double range;  // [m]
+  double u, v;
+};
+
+/// One dwell of an array: where its beam pointed and what it saw.
+struct DwellMark {
+  double time = 0.0;  // [s]
+  std::uint32_t number = 0;
+  bool on_track = false;
+  double u = 0.0, v = 0.0;                      // beam point
+  double beamwidth_u = 0.0, beamwidth_v = 0.0;  // full width at half power
+  std::vector<SineSpaceBlip> blips;
+};
+
+/// A closed frame: its dwells, with the blips that selection kept.
+struct FrameMark {
+  double time = 0.0;  // when it closed [s]
+  std::uint32_t number = 0;
+  std::vector<DwellMark> dwells;
+};
+
+struct SineSpaceTrack {
+  std::uint32_t number = 0;
+  bool firm = false;
+  double u = 0.0, v = 0.0;
+};
+
+/// What an electronically scanned array does, as the array sees it: the plane of sine space, u to the right, v up.
+/// Beams as they point, frames as they close, what was kept and what selection discarded, tracks. Drawn at any instant
+/// of data time [s]; one unit of sine space is kMetresPerUnit on the screen.
+class SineSpacePicture {
+ public:
+  static constexpr double kMetresPerUnit = 100e3;
+
+  /// The picture shows |u| up to `half_width` and |v| up to `half_height`, in (0, 1]; dwells and blips fade within
+  /// `persistence` [s], > 0.
+  SineSpacePicture(double half_width, double half_height, double persistence);
+
+  void hear(DwellMark dwell);
+  /// Blips of its dwells that it has not kept are taken for discarded.
+  void hear(const FrameMark& frame);
+  void hearTracks(std::vector<SineSpaceTrack> tracks) { tracks_ = std::move(tracks); }
+
+  Drawing background() const;
+  /// Half-power contours of the dwells' beams: search dim, dwells on tracks bright; the newest closed frame's on top.
+  Drawing beams(double time) const;
+  /// Dots: kept; red crosses: discarded.
+  Drawing blips(double time) const;
+  Drawing tracks() const;
+  /// The newest closed frame in words.
+  Drawing status() const;
+
+ private:
+  struct AgedBlip {
+    double time;
+    SineSpaceBlip blip;
+    bool kept;
+  };
+
+  double freshness(double since, double time) const;
+  void forgetOld(double time);
+  void addContour(Drawing& drawing, const DwellMark& dwell, double width, const Rgba& color) const;
+
+  double half_width_, half_height_, persistence_;
+  PpiStyle style_;
+  std::deque<DwellMark> dwells_;  // in order of hearing
+  std::deque<AgedBlip> blips_;
+  FrameMark frame_;  // the newest closed one
+  std::size_t kept_ = 0, discarded_ = 0;
+  std::vector<SineSpaceTrack> tracks_;
+};
+
+}  // namespace tws_rviz

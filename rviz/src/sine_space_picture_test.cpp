@@ -1,0 +1,83 @@
+#include "sine_space_picture.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace tws_rviz {
+namespace {
+
+DwellMark dwell(double time, std::uint32_t number, std::vector<SineSpaceBlip> blips = {}) {
+  return {time, number, true, 0.1, -0.2, 0.04, 0.02, std::move(blips)};
+}
+
+SineSpacePicture picture() { return {0.5, 0.3, 2.0}; }
+
+/// Extent of what is drawn, in units of sine space.
+struct Extent {
+  double left = 1e9, right = -1e9, low = 1e9, high = -1e9;
+};
+
+Extent extentOf(const Drawing& drawing) {
+  Extent extent;
+  for (const Vertex& vertex : drawing.triangles) {
+    const Eigen::Vector2d place = vertex.position / SineSpacePicture::kMetresPerUnit;
+    extent.left = std::min(extent.left, place.x());
+    extent.right = std::max(extent.right, place.x());
+    extent.low = std::min(extent.low, place.y());
+    extent.high = std::max(extent.high, place.y());
+  }
+  return extent;
+}
+
+// The eye judges overlap by these contours: half a beamwidth to each side, in u and in v.
+TEST(SineSpacePicture, DrawsABeamAsItsHalfPowerContour) {
+  SineSpacePicture shown = picture();
+  shown.hear(dwell(10.0, 1));
+  const Extent extent = extentOf(shown.beams(10.0));
+  EXPECT_NEAR(extent.left, 0.08, 0.002);
+  EXPECT_NEAR(extent.right, 0.12, 0.002);
+  EXPECT_NEAR(extent.low, -0.21, 0.002);
+  EXPECT_NEAR(extent.high, -0.19, 0.002);
+}
+
+TEST(SineSpacePicture, DwellsFadeWithTimeAndAreForgotten) {
+  SineSpacePicture shown = picture();
+  shown.hear(dwell(10.0, 1));
+  const float fresh = shown.beams(10.0).triangles.at(0).color.a;
+  EXPECT_NEAR(shown.beams(11.0).triangles.at(0).color.a, fresh / 2.0f, 1e-5);
+  shown.hear(dwell(12.5, 2));
+  const std::size_t one_contour = 36 * 6;
+  EXPECT_EQ(shown.beams(12.5).triangles.size(), one_contour);
+}
+
+// What selection discards is the point of the picture: a blip of the dwell that the frame no longer holds.
+TEST(SineSpacePicture, MarksBlipsThatAFrameDidNotKeepAsDiscarded) {
+  SineSpacePicture shown = picture();
+  shown.hear(dwell(10.0, 1, {{50e3, 0.1, -0.2}, {51e3, 0.1, -0.2}, {52e3, 0.11, -0.2}}));
+  EXPECT_TRUE(shown.blips(10.0).triangles.empty()) << "nothing is decided before the frame closes";
+  shown.hear(FrameMark{10.1, 7, {dwell(10.0, 1, {{50e3, 0.1, -0.2}, {52e3, 0.11, -0.2}})}});
+  const Drawing blips = shown.blips(10.1);
+  EXPECT_EQ(blips.triangles.size(), 2u * 6u + 1u * 12u);  // Two dots, one cross of two strokes.
+  EXPECT_EQ(shown.status().labels.at(0).text, "frame 7: 1 dwells, 2 kept, 1 discarded");
+}
+
+TEST(SineSpacePicture, AFrameWhoseDwellsWereNotHeardShowsWhatItHolds) {
+  SineSpacePicture shown = picture();
+  shown.hear(FrameMark{10.1, 7, {dwell(10.0, 1, {{50e3, 0.1, -0.2}})}});
+  EXPECT_EQ(shown.blips(10.1).triangles.size(), 6u);
+}
+
+TEST(SineSpacePicture, LabelsFirmTracksWithTheirNumbers) {
+  SineSpacePicture shown = picture();
+  shown.hearTracks({{42, true, 0.1, 0.1}, {43, false, 0.2, 0.1}});
+  const Drawing tracks = shown.tracks();
+  ASSERT_EQ(tracks.labels.size(), 1u);
+  EXPECT_EQ(tracks.labels[0].text, "42");
+}
+
+// Grid lines every 0.1: 11 by 7, and the names of the axes.
+TEST(SineSpacePicture, HasAGridWithNumbers) { EXPECT_EQ(picture().background().labels.size(), 11u + 7u + 2u); }
+
+}  // namespace
+}  // namespace tws_rviz
