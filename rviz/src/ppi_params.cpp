@@ -64,7 +64,8 @@ void readLists(ParameterReader& reader, PpiParams& params) {
   if (!reader.has("radars"))
     for (const char* name : {"sps12", "sps39", "sps10"})
       params.radars.push_back(defaultRadar(name, params.radars.size()));
-  if (!reader.has("trackers")) params.trackers.push_back({"adit", "/adit/tracks", "", false});
+  if (!reader.has("trackers"))
+    params.trackers = {{"adit", "/adit/tracks", "", false}, {"esa", "/esa/tracks", "E", false}};
 }
 
 void readPicture(ParameterReader& reader, PpiParams& params) {

@@ -48,7 +48,7 @@ struct PpiParams {
   bool truth = false;
   std::string truth_topic = "/truth";
   std::vector<RadarParams> radars;            // default: sps12, sps39, sps10
-  std::vector<TrackerParams> trackers;        // default: /adit/tracks
+  std::vector<TrackerParams> trackers;        // default: /adit/tracks, /esa/tracks
   std::vector<CorrelatorParams> correlators;  // default: /correlated/tracks, which covers /adit/tracks
 };
 

@@ -44,10 +44,13 @@ TEST(PpiParams, TheShippedFileHoldsTheDefaults) {
     EXPECT_EQ(file.radars[i].sector_marks, none.radars[i].sector_marks);
     EXPECT_EQ(file.radars[i].plots, none.radars[i].plots);
   }
-  ASSERT_EQ(file.trackers.size(), 1u);
-  EXPECT_EQ(file.trackers[0].topic, none.trackers.at(0).topic);
-  EXPECT_EQ(file.trackers[0].name, none.trackers[0].name);
-  EXPECT_EQ(file.trackers[0].prefix, none.trackers[0].prefix);
+  ASSERT_EQ(file.trackers.size(), 2u);
+  ASSERT_EQ(none.trackers.size(), 2u);
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_EQ(file.trackers[i].topic, none.trackers[i].topic);
+    EXPECT_EQ(file.trackers[i].name, none.trackers[i].name);
+    EXPECT_EQ(file.trackers[i].prefix, none.trackers[i].prefix);
+  }
   ASSERT_EQ(file.correlators.size(), 1u);
   EXPECT_EQ(file.correlators[0].topic, none.correlators.at(0).topic);
   EXPECT_EQ(file.correlators[0].name, none.correlators[0].name);
