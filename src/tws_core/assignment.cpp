@@ -13,6 +13,8 @@ namespace {
                               " is " + std::to_string(cost));
 }
 
+constexpr std::size_t kLargeSquare = 16;  // below it, reducing columns first does not pay
+
 bool usable(double cost) { return cost > -kForbidden; }  // false also for NaN
 
 /// How far apart the costs that are not forbidden lie, 0 included.
@@ -35,36 +37,31 @@ class Span {
   bool forbidden_ = false;
 };
 
+/// Of a dense problem, whose costs it checks. Where nothing is forbidden, the usual case, one quick pass is all.
+double spanOf(const std::vector<double>& costs, std::size_t rows, std::size_t columns) {
+  int odd = 0;
+  for (std::size_t i = 0; i < rows * columns; ++i) odd += std::abs(costs[i]) < kForbidden ? 0 : 1;
+  if (odd == 0) return kForbidden;
+  Span span;
+  for (std::size_t i = 0; i < rows * columns; ++i) {
+    if (!usable(costs[i])) refuse(costs[i], i / columns, i % columns);
+    span.take(costs[i]);
+  }
+  return span.value();
+}
+
 constexpr auto later = [](const auto& a, const auto& b) {
   return a.distance > b.distance || (a.distance == b.distance && a.column > b.column);
 };
 
 }  // namespace
 
-void AssignmentSolver::Cheapest::take(double cost, std::size_t at) {
-  if (cost >= second) return;
-  if (cost < first) {
-    second = first;
-    next_column = column;
-    first = cost;
-    column = static_cast<int>(at);
-  } else {
-    second = cost;
-    next_column = static_cast<int>(at);
-  }
-}
-
 const std::vector<int>& AssignmentSolver::solve(const std::vector<double>& costs, std::size_t rows, std::size_t columns,
                                                 double miss_cost) {
   if (costs.size() < rows * columns)
     throw std::invalid_argument("assignment: " + std::to_string(costs.size()) + " costs for " + std::to_string(rows) +
                                 " rows and " + std::to_string(columns) + " columns");
-  Span span;
-  for (std::size_t i = 0; i < rows * columns; ++i) {
-    if (!usable(costs[i])) refuse(costs[i], i / columns, i % columns);
-    span.take(costs[i]);
-  }
-  begin(rows, columns, miss_cost, span.value());
+  begin(rows, columns, miss_cost, spanOf(costs, rows, columns));
   dense_ = costs.data();
   if (turned_) transpose(costs, rows, columns);
   run(Layout::kDense);
@@ -108,6 +105,7 @@ void AssignmentSolver::begin(std::size_t rows, std::size_t columns, double miss_
   distance_.assign(columns_, kForbidden);
   from_row_.resize(columns_);
   done_.assign(columns_, 0);
+  all_taken_ = rows == columns && miss_cost == kForbidden && span == kForbidden;
 }
 
 void AssignmentSolver::transpose(const std::vector<double>& costs, std::size_t rows, std::size_t columns) {
@@ -120,61 +118,13 @@ void AssignmentSolver::transpose(const std::vector<double>& costs, std::size_t r
 }
 
 void AssignmentSolver::run(Layout layout) {
+  free_rows_.clear();
+  if (layout == Layout::kDense && all_taken_ && rows_ >= kLargeSquare)
+    reduceColumns();
+  else
+    for (std::uint32_t row = 0; row < rows_; ++row) free_rows_.push_back(row);
   reduceRows(layout);
   for (const std::uint32_t row : free_rows_) augment(layout, row);
-}
-
-AssignmentSolver::Cheapest AssignmentSolver::cheapest(Layout layout, std::size_t row) const {
-  Cheapest cheapest;
-  if (layout == Layout::kDense) {
-    const double* costs = dense_ + row * columns_;
-    for (std::size_t column = 0; column < columns_; ++column) cheapest.take(costs[column] - price_[column], column);
-  } else {
-    for (std::size_t e = first_edge_[row]; e < first_edge_[row + 1]; ++e)
-      cheapest.take(edges_[e].cost - price_[edges_[e].column], edges_[e].column);
-  }
-  return cheapest;
-}
-
-// Two rounds are what Jonker and Volgenant found to pay.
-void AssignmentSolver::reduceRows(Layout layout) {
-  free_rows_.clear();
-  for (std::uint32_t row = 0; row < rows_; ++row) free_rows_.push_back(row);
-  for (int round = 0; round < 2; ++round) {
-    next_free_.clear();
-    for (const std::uint32_t row : free_rows_) reduceRow(layout, row, next_free_);
-    free_rows_.swap(next_free_);
-  }
-}
-
-/// Gives the row its cheapest column and lowers that column's price as far as the row's second choice allows. Whoever
-/// had the column is left over, or at once gets another chance when the price fell.
-void AssignmentSolver::reduceRow(Layout layout, std::size_t row, std::vector<std::uint32_t>& left) {
-  // Prices that fall by little each time could keep two rows at it for long; the search does it better.
-  for (std::size_t chances = 10; true; --chances) {
-    const Cheapest choice = cheapest(layout, row);
-    const double second = std::min(choice.second, miss_cost_);
-    if (choice.first >= miss_cost_) {
-      left.push_back(static_cast<std::uint32_t>(row));
-      return;
-    }
-    int column = choice.column;
-    const bool falls = second < kForbidden && price_[column] - (second - choice.first) < price_[column];
-    if (falls)
-      price_[column] -= second - choice.first;
-    else if (row_of_[column] != kUnassigned && choice.next_column != kUnassigned && choice.second <= miss_cost_)
-      column = choice.next_column;
-    const int before = row_of_[column];
-    row_of_[column] = static_cast<int>(row);
-    column_of_[row] = column;
-    if (before == kUnassigned) return;
-    column_of_[before] = kUnassigned;
-    if (!falls || chances == 0) {
-      left.push_back(static_cast<std::uint32_t>(before));
-      return;
-    }
-    row = static_cast<std::size_t>(before);
-  }
 }
 
 void AssignmentSolver::augment(Layout layout, std::size_t row) {

@@ -13,8 +13,9 @@ constexpr double kForbidden = std::numeric_limits<double>::infinity();
 /// The exact least-cost assignment of rows (truths, tracks) to columns (tracks, plots), each used at most once.
 ///
 /// Shortest augmenting paths with dual prices after R. Jonker and A. Volgenant, "A shortest augmenting path algorithm
-/// for dense and sparse linear assignment problems", Computing 38, 1987: augmenting row reduction, then one search a
-/// row that is left. A row may also end at a place of its own, "unassigned", at the cost of a miss.
+/// for dense and sparse linear assignment problems", Computing 38, 1987: column reduction where every column will be
+/// taken, augmenting row reduction, then one search a row that is left. A row may also end at a place of its own,
+/// "unassigned", at the cost of a miss.
 ///
 /// Keep a solver and use it again: it allocates only for a problem larger than all before. The same problem always
 /// gives the same answer, also when several are equally good.
@@ -65,6 +66,8 @@ class AssignmentSolver {
   void begin(std::size_t rows, std::size_t columns, double miss_cost, double span);
   void run(Layout layout);
   Cheapest cheapest(Layout layout, std::size_t row) const;
+  void reduceColumns();
+  void transferReduction(std::size_t row);
   void reduceRows(Layout layout);
   void reduceRow(Layout layout, std::size_t row, std::vector<std::uint32_t>& left);
   void augment(Layout layout, std::size_t row);
@@ -81,12 +84,13 @@ class AssignmentSolver {
   std::size_t rows_ = 0, columns_ = 0;
   bool turned_ = false;
   double miss_cost_ = kForbidden;
+  bool all_taken_ = false;  // Rows and columns are as many, and every pair may be made, but no miss.
   const double* dense_ = nullptr;
   std::vector<double> turned_costs_;
   std::vector<std::size_t> first_edge_;  // of each row, and one more
   std::vector<Edge> edges_;
 
-  // The solution so far. A column that is free has price 0.
+  // The solution so far. A column that is free has price 0, unless every column will be taken in the end.
   std::vector<double> price_;  // v
   std::vector<int> column_of_, row_of_;
   std::vector<std::uint32_t> free_rows_, next_free_;

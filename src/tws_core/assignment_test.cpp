@@ -146,14 +146,19 @@ TEST(Assignment, IsTheBestOfAllForEveryShapeUpToEight) {
 TEST(Assignment, OfALargeProblemCostsTheSameWhetherDenseOrSparse) {
   auto generator = seededGenerator();
   AssignmentSolver solver;
-  for (const auto& [rows, columns] : {std::pair<std::size_t, std::size_t>{60, 60}, {40, 90}, {90, 40}}) {
+  for (const auto& [rows, columns] : {std::pair<std::size_t, std::size_t>{17, 17}, {60, 60}, {40, 90}, {90, 40}}) {
     for (const double density : {1.0, 0.05}) {
-      const Problem problem = randomProblem(generator, rows, columns, density, false);
-      for (const double miss_cost : {kForbidden, 0.5}) {
-        const Outcome dense = outcomeOf(problem, solver.solve(problem.costs, rows, columns, miss_cost));
-        const Outcome sparse = outcomeOf(problem, solver.solve(allowed(problem), rows, columns, miss_cost));
-        EXPECT_EQ(dense.pairs, sparse.pairs);
-        EXPECT_NEAR(dense.cost, sparse.cost, 1e-9);
+      for (const bool whole : {false, true}) {
+        const Problem problem = randomProblem(generator, rows, columns, density, whole);
+        for (const double miss_cost : {kForbidden, 0.5}) {
+          const Outcome dense = outcomeOf(problem, solver.solve(problem.costs, rows, columns, miss_cost));
+          const Outcome sparse = outcomeOf(problem, solver.solve(allowed(problem), rows, columns, miss_cost));
+          EXPECT_NEAR(dense.cost - (miss_cost < kForbidden ? dense.pairs * miss_cost : 0.0),
+                      sparse.cost - (miss_cost < kForbidden ? sparse.pairs * miss_cost : 0.0), 1e-9);
+          if (miss_cost == kForbidden) {
+            EXPECT_EQ(dense.pairs, sparse.pairs);
+          }
+        }
       }
     }
   }
@@ -178,10 +183,11 @@ TEST(Assignment, LeavesUnassignedWhatCostsMoreThanAMiss) {
 TEST(Assignment, AllocatesNothingWhenTheSolverIsUsedAgain) {
   auto generator = seededGenerator();
   AssignmentSolver solver;
-  const Problem large = randomProblem(generator, 40, 30, 0.3, false), small = randomProblem(generator, 9, 12, 1, false);
+  const Problem large = randomProblem(generator, 40, 30, 0.3, false), small = randomProblem(generator, 9, 12, 1, false),
+                square = randomProblem(generator, 30, 30, 1, false);
   const std::vector<Pair> pairs = allowed(large);
   const auto all = [&] {
-    for (const Problem* problem : {&large, &small})
+    for (const Problem* problem : {&large, &small, &square})
       for (const double miss_cost : {kForbidden, 0.2})
         solver.solve(problem->costs, problem->rows, problem->columns, miss_cost);
     solver.solve(pairs, large.rows, large.columns);
