@@ -22,6 +22,7 @@ std::vector<TrackWord> lastWords(const std::vector<TrackWord>& words) {
   std::map<std::uint32_t, TrackWord> last;
   for (const TrackWord& word : words) last[word.track.number] = word;
   std::vector<TrackWord> result;
+  result.reserve(last.size());
   for (const auto& [number, word] : last) result.push_back(word);
   return result;
 }
