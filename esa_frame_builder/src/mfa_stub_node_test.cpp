@@ -71,8 +71,59 @@ TEST_F(MfaStubNodeTest, BeginsAnewWhenTimeGoesFarBack) {
   EXPECT_EQ(count("new runs"), 1U);
 }
 
+// If this fails, nobody hears that a frame builder sends nonsense, or one bad frame costs the good ones.
+TEST_F(MfaStubNodeTest, CountsFramesThatBreakTheRulesAndGoesOn) {
+  tracker_ = std::make_unique<MfaStubNode>(graph_.addNode("mfa_stub"));
+  placeArray();
+  auto frames = graph_.addNode("builder").advertise<tws_msgs::Frame>("/esa/frames");
+  const auto send = [&](std::uint32_t number, double time, std::uint8_t status, const std::string& radar = "esa") {
+    tws_msgs::Frame message;
+    if (status != tws_msgs::Frame::HEARTBEAT) message.dwells.push_back(toMessage(look(time)));
+    message.radar = radar;
+    message.header.frame_id = "esa";
+    message.frame = number;
+    message.status = status;
+    message.through = tws_runtime::toTime(time);
+    frames.publish(message);
+    graph_.drain();
+  };
+  using tws_msgs::Frame;
+  for (std::uint32_t n = 0; n < 6; ++n) send(n, 10.0 + 0.1 * n, Frame::CLOSED);
+  send(9, 10.6, Frame::CLOSED);  // three are missing
+  send(10, 10.7, Frame::CLOSED, "other");
+  send(10, 10.5, Frame::CLOSED);  // late
+  send(0, 10.7, Frame::HEARTBEAT);
+  EXPECT_EQ(count("broken frame rules"), 1U);
+  EXPECT_EQ(count("bad messages"), 1U);
+  EXPECT_EQ(count("late messages"), 1U);
+  EXPECT_EQ(count("frames"), 7U);
+  ASSERT_EQ(databases_.size(), 1U);
+  EXPECT_EQ(databases_[0].tracks.size(), 1U);
+}
+
+TEST_F(MfaStubNodeTest, SaysTheSameInEveryRun) {
+  start();
+  placeArray();
+  for (int run = 0; run < 2; ++run) {
+    next_period_ = 0;
+    fly(80);
+  }
+  ASSERT_EQ(databases_.size(), 160U);
+  for (std::size_t n = 0; n < 80; ++n) {
+    ASSERT_EQ(databases_[n].tracks.size(), databases_[80 + n].tracks.size());
+    for (std::size_t i = 0; i < databases_[n].tracks.size(); ++i)
+      EXPECT_EQ(databases_[n].tracks[i], databases_[80 + n].tracks[i]) << n;
+  }
+}
+
+TEST_F(MfaStubNodeTest, LoadsTheShippedParameters) {
+  const YAML::Node shipped = tws_runtime::loadParameterFile(ESA_CONFIG "/mfa_stub.yaml");
+  EXPECT_NO_THROW(MfaStubNode(graph_.addNode("shipped", shipped)));
+}
+
 TEST_F(MfaStubNodeTest, RefusesUnknownParameters) {
   EXPECT_THROW(start("{}", "{algorithm: 3}"), tws_runtime::ParameterError);
+  EXPECT_THROW(MfaStubNode(graph_.addNode("wrong", YAML::Load("{initiation_hits: 9}"))), tws_runtime::ParameterError);
 }
 
 }  // namespace
