@@ -6,6 +6,7 @@
 
 #include <map>
 #include <string>
+#include <utility>
 
 #include "counter_set.h"
 #include "local_core.h"
@@ -22,6 +23,9 @@ class LocalBus : public Bus {
   YAML::Node parameters() const override;
   const tf2::BufferCore& transforms() const override { return core_.transforms(); }
   void publishStaticTransform(const geometry_msgs::TransformStamped& transform) override;
+  bool live() const override { return false; }
+  void whenDrained(std::function<void()> handler) override { core_.post(std::move(handler)); }
+  void diagnose(const std::string&, std::function<Diagnosis()>) override {}
   Counter& counter(const std::string& name) override { return counters_.get(name); }
   ros::Time now() const override { return core_.now(); }
   void everyData(double period_s, std::function<void(ros::Time)> handler) override;

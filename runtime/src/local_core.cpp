@@ -112,6 +112,7 @@ LocalTopic& LocalCore::topic(const std::string& name, const MessageType& type) {
 }
 
 void LocalCore::deliver(const Delivery& delivery) {
+  if (delivery.task) return delivery.task();
   if (delivery.only) return (*delivery.only)(delivery.message);
   LocalChannel& channel = *delivery.channel;
   LocalTopic& topic = channel.topic;

@@ -10,6 +10,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "bag_recorder.h"
@@ -45,6 +46,8 @@ class LocalCore {
   bool call(const std::string& service, const std::type_info& type, void* request, void* response);
 
   void post(LocalChannel& channel, const boost::shared_ptr<const void>& message);
+  /// Calls `task` after all that is queued by now.
+  void post(std::function<void()> task) { queue_.push_back({nullptr, nullptr, nullptr, std::move(task)}); }
   void drain();
   void advanceTo(ros::Time time);
 
@@ -60,11 +63,12 @@ class LocalCore {
   std::unique_ptr<BagRecorder>& recorder() { return recorder_; }
 
  private:
-  /// A message on its way. `only` restricts it to one handler: a latched message for a late subscriber.
+  /// A message on its way. `only` restricts it to one handler: a latched message for a late subscriber. Or a task.
   struct Delivery {
     LocalChannel* channel;
     boost::shared_ptr<const void> message;
     const Handler* only;
+    std::function<void()> task = {};
   };
   LocalTopic& topic(const std::string& name, const MessageType& type);
   void deliver(const Delivery& delivery);

@@ -114,6 +114,20 @@ TEST_F(LocalGraphTest, ARelativeNameIsTheNodesOwnAndRemapsAreFollowed) {
 }
 
 // If this fails, the operator's requests cannot be tested without a master.
+// If this fails, a node that works bit by bit does not know what has arrived meanwhile.
+TEST_F(LocalGraphTest, ATaskWaitsForAllThatHasArrivedAndOfflineNothingIsLive) {
+  auto numbers = a.advertise<std_msgs::Int32>("/numbers");
+  b.subscribe<std_msgs::Int32>("/numbers", [&](const std_msgs::Int32& message) {
+    heard.push_back(message.data);
+    if (message.data == 1) b.whenDrained([&] { heard.push_back(100); });
+  });
+  numbers.publish(number(1));
+  numbers.publish(number(2));
+  graph.drain();
+  EXPECT_EQ(heard, (std::vector<int>{1, 2, 100}));
+  EXPECT_FALSE(b.live());
+}
+
 TEST_F(LocalGraphTest, AServiceAnswersAndWhatItPublishesIsDelivered) {
   auto publisher = a.advertise<std_msgs::Int32>("/dropped");
   hear(b, "/dropped");

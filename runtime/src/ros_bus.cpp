@@ -1,6 +1,7 @@
 #include <tws_runtime/ros_bus.h>
 
 #include <diagnostic_updater/diagnostic_updater.h>
+#include <ros/callback_queue.h>
 #include <ros/ros.h>
 #include <rosgraph_msgs/Clock.h>
 #include <tf2_msgs/TFMessage.h>
@@ -67,6 +68,25 @@ class AnyService : public ros::ServiceCallbackHelper {
   ServiceType type_;
 };
 
+/// Something to do that waits its turn among the messages.
+class Task : public ros::CallbackInterface {
+ public:
+  explicit Task(std::function<void()> task) : task_(std::move(task)) {}
+  CallResult call() override {
+    task_();
+    return Success;
+  }
+
+ private:
+  std::function<void()> task_;
+};
+
+std::uint8_t levelOf(Diagnosis::Level level) {
+  using diagnostic_msgs::DiagnosticStatus;
+  if (level == Diagnosis::Level::kError) return DiagnosticStatus::ERROR;
+  return level == Diagnosis::Level::kWarning ? DiagnosticStatus::WARN : DiagnosticStatus::OK;
+}
+
 std::string withoutSlash(const std::string& name) { return name.empty() || name[0] != '/' ? name : name.substr(1); }
 
 }  // namespace
@@ -83,6 +103,15 @@ class RosBus::Impl {
     wall_timers.push_back(
         handle.createWallTimer(ros::WallDuration(1.0), [this](const auto&) { diagnostics.force_update(); }));
   }
+
+  ~Impl() { queue().removeByID(tasks()); }
+
+  ros::CallbackQueueInterface& queue() const {
+    ros::CallbackQueueInterface* const own = handle.getCallbackQueue();
+    return own ? *own : *ros::getGlobalCallbackQueue();
+  }
+  /// Under which this Bus' tasks stand in the queue.
+  std::uint64_t tasks() const { return reinterpret_cast<std::uintptr_t>(this); }
 
   std::string resolve(const std::string& topic) const { return handle.resolveName(absoluteName(name, topic)); }
 
@@ -148,6 +177,18 @@ void RosBus::publishStaticTransform(const geometry_msgs::TransformStamped& trans
     impl_->static_transform_publisher = advertise<tf2_msgs::TFMessage>("/tf_static", true);
   addTransform(impl_->static_transforms, transform);
   impl_->static_transform_publisher.publish(impl_->static_transforms);
+}
+
+void RosBus::whenDrained(std::function<void()> handler) {
+  impl_->queue().addCallback(boost::make_shared<Task>(std::move(handler)), impl_->tasks());
+}
+
+void RosBus::diagnose(const std::string& name, std::function<Diagnosis()> diagnosis) {
+  impl_->diagnostics.add(name, [diagnosis = std::move(diagnosis)](diagnostic_updater::DiagnosticStatusWrapper& status) {
+    const Diagnosis now = diagnosis();
+    status.summary(levelOf(now.level), now.summary);
+    for (const auto& [key, value] : now.values) status.add(key, value);
+  });
 }
 
 Counter& RosBus::counter(const std::string& name) { return impl_->counters.get(name); }

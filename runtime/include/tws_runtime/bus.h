@@ -10,6 +10,8 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <geometry_msgs/TransformStamped.h>
 #include <tf2/buffer_core.h>
@@ -42,6 +44,14 @@ class Counter {
   /// Counts one and says why, e.g. "azimuth is NaN in /sps12/detections at 12.375".
   virtual void add(const std::string& reason) = 0;
   virtual std::uint64_t value() const = 0;
+};
+
+/// The state of a part of a node, as /diagnostics shows it.
+struct Diagnosis {
+  enum class Level { kOk, kWarning, kError };
+  Level level = Level::kOk;
+  std::string summary;                                      ///< A few words.
+  std::vector<std::pair<std::string, std::string>> values;  ///< In the order in which they are shown.
 };
 
 /// All that a node needs from ROS. The same node class runs on roscpp, as a nodelet, and in one process without a
@@ -88,6 +98,14 @@ class Bus {
   /// Publishes a static, latched transform; several calls add up.
   virtual void publishStaticTransform(const geometry_msgs::TransformStamped& transform) = 0;
 
+  /// Is this a run in which work may fall behind what arrives? False in one process, where the source waits.
+  virtual bool live() const = 0;
+  /// Calls `handler` once, after all that has arrived by now has been handed over: where work is done bit by bit, what
+  /// arrives meanwhile is known in between.
+  virtual void whenDrained(std::function<void()> handler) = 0;
+
+  /// Shows a diagnosis of that name in /diagnostics once a second of wall time; never called offline.
+  virtual void diagnose(const std::string& name, std::function<Diagnosis()> diagnosis) = 0;
   /// The counter of that name, made at the first call. Names are words: "late detections".
   virtual Counter& counter(const std::string& name) = 0;
 

@@ -26,6 +26,9 @@ class RosBus : public Bus {
   YAML::Node parameters() const override;
   const tf2::BufferCore& transforms() const override;
   void publishStaticTransform(const geometry_msgs::TransformStamped& transform) override;
+  bool live() const override { return true; }
+  void whenDrained(std::function<void()> handler) override;
+  void diagnose(const std::string& name, std::function<Diagnosis()> diagnosis) override;
   Counter& counter(const std::string& name) override;
   ros::Time now() const override;
   void everyData(double period_s, std::function<void(ros::Time)> handler) override;
