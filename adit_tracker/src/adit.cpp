@@ -16,16 +16,26 @@ constexpr std::int64_t kInitiationBehind = 1;  // sectors that initiation runs b
 constexpr int kSecondarySectors = 2;           // sectors ahead whose tracks take part in the correlation
 // Plots beyond are mistakes: no radar sees further, and their squares must stay finite.
 constexpr double kGreatestRange = 1e7;  // [m]
-// A prediction that is off by less in time is not made anew.
-constexpr double kPredictionTolerance = 0.3;  // [s]
 // A track learns nothing about its radar's errors before it has settled.
 constexpr int kSettled = 6;  // updates
 
-int sectorNumber(std::int64_t running) { return tws::wrapSector(static_cast<int>(running % tws::kSectors)); }
+bool isCopy(const tws::Plot& a, const tws::Plot& b) {
+  return a.time == b.time && a.range == b.range && a.azimuth == b.azimuth;
+}
 
-/// The unwrapped azimuth of a direction, next to the given sector.
-double unwrappedNear(double azimuth, std::int64_t running) {
-  return Antenna::startOf(running) + tws::angularDifference(azimuth, tws::sectorStart(sectorNumber(running)));
+/// Takes out what says the same as a plot shortly before it; all are in order of time. Returns how many.
+std::size_t dropCopies(std::vector<tws::Plot>& plots) {
+  constexpr std::size_t kLookBack = 64;  // plots of one time
+  std::size_t kept = 0;
+  for (const tws::Plot& plot : plots) {
+    const std::size_t least = kept - std::min(kept, kLookBack);
+    std::size_t i = kept;
+    while (i > least && plots[i - 1].time == plot.time && !isCopy(plots[i - 1], plot)) --i;
+    if (i == least || plots[i - 1].time != plot.time) plots[kept++] = plot;
+  }
+  const std::size_t dropped = plots.size() - kept;
+  plots.resize(kept);
+  return dropped;
 }
 
 std::size_t referenceIndex(const AditParams& params) {
@@ -57,32 +67,68 @@ Adit::Adit(const AditParams& params, Sink sink)
 }
 
 void Adit::add(std::size_t radar, tws::RadarSector sector) {
+  take(radar, std::move(sector));
+  while (step()) continue;
+}
+
+void Adit::take(std::size_t radar, tws::RadarSector sector) {
   RadarState& state = radars_.at(radar);
   const std::int64_t newest = executive_.newest(radar);
   if (sector.running <= newest) {
     throw std::invalid_argument("radar " + params_.radars[radar].name + ": sector " + std::to_string(sector.running) +
                                 " comes after sector " + std::to_string(newest));
   }
-  const auto bad = [](const tws::Plot& p) {
-    return !(std::isfinite(p.time) && std::isfinite(p.azimuth) && p.range > 0.0 && p.range <= kGreatestRange);
-  };
-  auto& plots = sector.plots;
-  const std::size_t given = plots.size();
-  plots.erase(std::remove_if(plots.begin(), plots.end(), bad), plots.end());
-  counts_.rejected_plots += given - plots.size();
-  counts_.plots += plots.size();
+  sift(radar, sector);
+  counts_.plots += sector.plots.size();
   if (!executive_.closed(radar, sector.running, sector.enter_time, sector.leave_time)) ++counts_.late_sectors;
   state.waiting.push_back(std::move(sector));
-  run();
+  ++taken_;
+}
+
+/// Takes out what makes no sense, what comes too late, and what has come already.
+void Adit::sift(std::size_t radar, tws::RadarSector& sector) {
+  const double earliest = sector.enter_time - radars_[radar].antenna.sectorDuration();
+  const auto sift_out = [&](std::uint64_t AditCounts::*count, const auto& unusable) {
+    const auto end = std::remove_if(sector.plots.begin(), sector.plots.end(), unusable);
+    counts_.*count += static_cast<std::uint64_t>(sector.plots.end() - end);
+    sector.plots.erase(end, sector.plots.end());
+  };
+  sift_out(&AditCounts::rejected_plots, [](const tws::Plot& p) {
+    return !(std::isfinite(p.time) && std::isfinite(p.azimuth) && p.range > 0.0 && p.range <= kGreatestRange);
+  });
+  sift_out(&AditCounts::late_plots, [&](const tws::Plot& p) { return p.time < earliest; });
+  sift_out(&AditCounts::duplicate_plots,
+           [&](const tws::Plot& p) { return p.time < sector.enter_time && cameBefore(radar, sector.running, p); });
+  counts_.duplicate_plots += dropCopies(sector.plots);
+}
+
+/// Did the sector before hold this plot already?
+bool Adit::cameBefore(std::size_t radar, std::int64_t running, const tws::Plot& plot) {
+  const auto& waiting = radars_[radar].waiting;
+  const auto same = [&](const tws::Plot& other) { return isCopy(other, plot); };
+  if (!waiting.empty()) return std::any_of(waiting.back().plots.begin(), waiting.back().plots.end(), same);
+  const auto& before = radars_[radar].detections.at(running - 1).detections;
+  return std::any_of(before.begin(), before.end(), [&](const Detection& d) { return same(d.plot); });
 }
 
 void Adit::finish() {
   executive_.finish();
-  run();
+  while (step()) continue;
 }
 
-void Adit::run() {
-  while (const auto turn = executive_.next()) process(*turn);
+bool Adit::step() {
+  const auto turn = executive_.next();
+  if (turn) process(*turn);
+  return turn.has_value();
+}
+
+void Adit::skip() {
+  std::vector<std::size_t> left = ready();
+  while (true) {
+    const auto turn = executive_.next();
+    if (!turn) return;
+    pass(*turn, static_cast<std::int64_t>(left[turn->radar]--) <= kClutterAhead);
+  }
 }
 
 /// Lets in what the turn may look at: the radar's sectors up to four ahead. What else has come must not matter, or the
@@ -99,22 +145,53 @@ void Adit::admit(const Executive::Turn& turn) {
   }
 }
 
-/// Figure 3 of the report: one sector of the radar whose data are the oldest.
-void Adit::process(const Executive::Turn& turn) {
+void Adit::begin(const Executive::Turn& turn) {
   admit(turn);
   report_.radar = turn.radar;
   report_.running = turn.running;
   report_.enter_time = radarOf(turn).antenna.timeAt(Antenna::startOf(turn.running));
-  report_.words.clear();
+  report_.skipped = false;
+  report_.words = by_hand_;
   dropped_.clear();
+  for (const TrackWord& word : by_hand_) {
+    if (word.event == TrackEvent::kDropped) dropped_.push_back(word.slot);
+  }
+  by_hand_.clear();
+}
+
+/// Figure 3 of the report: one sector of the radar whose data are the oldest.
+void Adit::process(const Executive::Turn& turn) {
+  begin(turn);
   mapClutter(turn);
   correlate(turn);
   convertSlowTracks(turn);
   for (const auto slot : primary_) moveOn(slot, turn.radar);
   initiate(turn);
+  end();
+}
+
+void Adit::end() {
   ++counts_.sectors;
   if (sink_) sink_(report_);
   for (const auto slot : dropped_) tracks_.drop(slot);
+}
+
+/// A sector that is skipped. The clutter map must have seen those that are not any more.
+void Adit::pass(const Executive::Turn& turn, bool map_clutter) {
+  begin(turn);
+  report_.skipped = true;
+  ++counts_.skipped_sectors;
+  if (map_clutter) mapClutter(turn);
+  for (Detection& detection : radarOf(turn).detections.at(turn.running).detections) detection.used = true;
+  primary_.clear();
+  listSector(turn, turn.running, primary_);
+  for (const auto slot : primary_) {
+    Track& track = tracks_.at(slot);
+    track.illuminated[turn.radar] = Antenna::near(track.predicted.azimuth, turn.running);
+    predictNext(track);
+    moveOn(slot, turn.radar);
+  }
+  end();
 }
 
 /// On every eighth scan, `offset` scans later for one thing than for the other: the least age [s] of a stored place for
@@ -147,23 +224,10 @@ void Adit::mapClutter(const Executive::Turn& turn) {
 /// The tracks in a sector that this radar has not met on this scan, each aimed at the radar's beam.
 void Adit::listSector(const Executive::Turn& turn, std::int64_t running, Slots& slots) {
   const std::size_t begin = slots.size();
-  tracks_.list(sectorNumber(running), slots);
+  tracks_.list(Antenna::sectorNumber(running), slots);
   const auto met = [&](TrackFile::Slot s) { return metOnThisScan(tracks_.at(s), turn.radar, running); };
   slots.erase(std::remove_if(slots.begin() + static_cast<std::ptrdiff_t>(begin), slots.end(), met), slots.end());
   for (std::size_t i = begin; i < slots.size(); ++i) aimAt(tracks_.at(slots[i]), turn.radar, running);
-}
-
-/// Updated or missed: a track that has moved on into the next sector has had its chance all the same.
-bool Adit::metOnThisScan(const Track& track, std::size_t radar, std::int64_t running) {
-  return track.illuminated[radar] > Antenna::startOf(running) - tws::kPi;
-}
-
-/// Sees to it that the prediction is for this radar's beam in that sector. It mostly is already; not so when another
-/// radar, which should have come first, is silent.
-void Adit::aimAt(Track& track, std::size_t radar, std::int64_t running) {
-  const double time = radars_[radar].antenna.timeAt(unwrappedNear(track.predicted.azimuth, running));
-  if (track.predicted.radar == radar && std::abs(time - track.predicted.time) < kPredictionTolerance) return;
-  motion_.predict(track, radar, time, radars_[radar].quality);
 }
 
 void Adit::correlate(const Executive::Turn& turn) {
@@ -209,7 +273,7 @@ void Adit::update(const Executive::Turn& turn, TrackFile::Slot slot, Detection& 
   const double log_likelihood = motion_.update(track, plot, quality);
   track.coasting = false;
   track.updated[turn.radar] = plot.time;
-  track.illuminated[turn.radar] = unwrappedNear(plot.azimuth, turn.running);
+  track.illuminated[turn.radar] = Antenna::near(plot.azimuth, turn.running);
   track.detected_by = static_cast<std::uint16_t>(track.detected_by | 1U << turn.radar);
   // What a clutter point on probation claims is no evidence of movement: a tentative track waits for a better
   // detection.
@@ -223,7 +287,7 @@ void Adit::update(const Executive::Turn& turn, TrackFile::Slot slot, Detection& 
 /// Illuminated and not detected: the track coasts by its stored velocities, or has had its time.
 void Adit::miss(const Executive::Turn& turn, TrackFile::Slot slot) {
   Track& track = tracks_.at(slot);
-  track.illuminated[turn.radar] = unwrappedNear(track.predicted.azimuth, turn.running);
+  track.illuminated[turn.radar] = Antenna::near(track.predicted.azimuth, turn.running);
   track.detected_by = static_cast<std::uint16_t>(track.detected_by & ~(1U << turn.radar));
   track.coasting = true;
   const double time = track.predicted.time;
@@ -280,82 +344,6 @@ void Adit::initiate(const Executive::Turn& turn) {
     if (!clutterOf(turn.radar).initiate(detection.plot, turn.radar)) ++counts_.refused_clutter;
   }
   radar.quality.learnFalsePlots(unused);
-}
-
-Track* Adit::startTrack(std::size_t radar, const tws::Plot& plot) {
-  const auto slot = tracks_.start();
-  if (!slot) {
-    ++counts_.refused_tracks;
-    return nullptr;
-  }
-  Track& track = tracks_.at(*slot);
-  const RadarQuality& quality = radars_[radar].quality;
-  motion_.start(track, plot, quality);
-  judge_.started(track, quality);
-  track.updated[radar] = plot.time;
-  // Met in a sector that is behind the front or at most a few ahead of it.
-  track.illuminated[radar] = unwrappedNear(plot.azimuth, executive_.front(radar));
-  track.detected_by = static_cast<std::uint16_t>(1U << radar);
-  if (params_.conversion.from_start) track.reference = {plot.time, plot.range, plot.azimuth};
-  predictNext(track);
-  tracks_.place(*slot, tws::sectorOf(track.predicted.azimuth));
-  ++counts_.tracks_started;
-  report_.words.push_back({*slot, TrackEvent::kStarted, plot.time});
-  return &track;
-}
-
-/// Puts the track into the sector where its next illumination will be.
-void Adit::moveOn(TrackFile::Slot slot, std::size_t radar) {
-  if (!dropped_.empty() && std::find(dropped_.begin(), dropped_.end(), slot) != dropped_.end()) return;
-  const int from = tracks_.sector(slot);
-  int to = tws::sectorOf(tracks_.at(slot).predicted.azimuth);
-  for (std::size_t other = 0; other < radars_.size(); ++other) {
-    if (other != radar && from != to && wouldMissUpdate(from, to, other)) to = from;
-  }
-  tracks_.place(slot, to);
-}
-
-/// Has the other radar's processing passed the new sector, but not the old one? Then the track stays where it is.
-bool Adit::wouldMissUpdate(int from, int to, std::size_t radar) const {
-  if (!radars_[radar].antenna.known() || executive_.silent(radar)) return false;
-  const int front = sectorNumber(executive_.front(radar));
-  return tws::sectorDifference(from, front) >= 0 && tws::sectorDifference(to, front) < 0 &&
-         std::abs(tws::sectorDifference(to, from)) < tws::kSectors / 4;
-}
-
-/// When the beam of a radar meets the track next, in a sector that is still to be processed [s].
-double Adit::nextIllumination(const Track& track, std::size_t radar) const {
-  const Antenna& antenna = radars_[radar].antenna;
-  const double earliest = std::max(Antenna::startOf(executive_.front(radar)), track.illuminated[radar] + tws::kPi);
-  const auto atLeast = [&](double azimuth) { return earliest + tws::wrapTwoPi(azimuth - earliest); };
-  const double guess = atLeast(track.smoothed.azimuth);
-  // Right over the site, azimuth rates have no meaning: half a turn at most.
-  const double moved =
-      std::clamp(track.smoothed.azimuth_rate * (antenna.timeAt(guess) - track.smoothed.time), -tws::kPi, tws::kPi);
-  double crossing = guess + moved;
-  if (crossing < earliest) crossing += tws::kTwoPi;
-  return antenna.timeAt(crossing);
-}
-
-/// T2 of the report: the earliest next time that any radar will illuminate the track.
-void Adit::predictNext(Track& track) {
-  std::size_t next = radars_.size();
-  double earliest = 0.0;
-  for (std::size_t radar = 0; radar < radars_.size(); ++radar) {
-    if (!radars_[radar].antenna.known() || executive_.silent(radar)) continue;
-    const double time = nextIllumination(track, radar);
-    if (next < radars_.size() && time >= earliest) continue;
-    next = radar;
-    earliest = time;
-  }
-  if (next == radars_.size()) return;  // all radars are silent: the sectors still in hand are the last
-  motion_.predict(track, next, earliest, radars_[next].quality);
-}
-
-std::vector<TrackFile::Slot> Adit::living() const {
-  Slots all;
-  for (int sector = 0; sector < tws::kSectors; ++sector) tracks_.list(sector, all);
-  return all;
 }
 
 }  // namespace adit_tracker

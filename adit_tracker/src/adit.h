@@ -30,12 +30,15 @@ struct SectorReport {
   std::size_t radar = 0;
   std::int64_t running = 0;
   double enter_time = 0.0;
+  bool skipped = false;          // overflow: its detections were ignored
   std::vector<TrackWord> words;  // valid during the call
 };
 
 /// Totals since the start.
 struct AditCounts {
-  std::uint64_t sectors = 0, plots = 0, rejected_plots = 0, late_sectors = 0;
+  std::uint64_t sectors = 0, plots = 0, rejected_plots = 0, late_plots = 0, duplicate_plots = 0;
+  std::uint64_t late_sectors = 0;
+  std::uint64_t skipped_sectors = 0;
   std::uint64_t tracks_started = 0, tracks_firm = 0, tracks_dropped = 0;
   std::uint64_t refused_tracks = 0, refused_clutter = 0;  // for want of numbers
   std::uint64_t to_clutter = 0, to_track = 0;             // conversions
@@ -53,12 +56,41 @@ class Adit {
 
   /// Takes in a closed sector of a radar (index in params.radars) and processes what has become ready. Within a radar,
   /// sectors come in order: one that does not is refused by std::invalid_argument. Plots that are not finite or whose
-  /// range is not in (0, 10 000 km] are left out and counted.
+  /// range is not in (0, 10 000 km] are left out and counted; so are late ones, of which the beam met the target more
+  /// than a sector before it entered this one, and copies of plots.
   void add(std::size_t radar, tws::RadarSector sector);
+  /// The same in two steps, for who must not be away for long: takes in the sector; processes one that is ready. False:
+  /// none is.
+  void take(std::size_t radar, tws::RadarSector sector);
+  bool step();
+  /// Sectors taken in and not processed yet, of all radars.
+  std::size_t waiting() const { return taken_ - counts_.sectors; }
+  /// Sectors that step() would process by now, of each radar.
+  std::vector<std::size_t> ready() const { return executive_.ready(); }
+  /// Overflow: passes over all sectors that are ready. Their detections are ignored; the tracks there are not updated,
+  /// and their next meetings with a beam are computed anew.
+  void skip();
 
   /// No more data will come: processes what is left.
   void finish();
 
+  /// What operators do. It takes effect between two sectors, and its words come with the next one.
+  /// The living track with that number; nothing: there is none.
+  std::optional<TrackFile::Slot> find(std::uint32_t number) const;
+  void handOff(TrackFile::Slot slot, bool on) { tracks_.at(slot).handed_off = on; }
+  void designate(TrackFile::Slot slot, bool on) { tracks_.at(slot).designated = on; }
+  /// Starts a track where an operator has seen something: range [m] in (0, 10 000 km], azimuth [rad], to within `sigma`
+  /// [m]. Nothing: all numbers are in use, which is counted.
+  std::optional<TrackFile::Slot> startByHand(double range, double azimuth, double sigma);
+  void dropByHand(TrackFile::Slot slot);
+
+  /// The sector processed last; its words are not valid. Of radar 0 and at 0 s as long as counts() has no sector.
+  const SectorReport& latest() const { return report_; }
+  /// Has the tracker given up waiting for this radar, or never heard it?
+  bool silent(std::size_t radar) const { return executive_.silent(radar); }
+  /// The running number of the radar's next sector.
+  std::int64_t front(std::size_t radar) const { return executive_.front(radar); }
+  std::size_t referenceRadar() const { return reference_; }
   const TrackFile& tracks() const { return tracks_; }
   /// Every living track, by sector.
   std::vector<TrackFile::Slot> living() const;
@@ -75,7 +107,11 @@ class Adit {
  private:
   using Slots = std::vector<TrackFile::Slot>;
 
-  void run();
+  void sift(std::size_t radar, tws::RadarSector& sector);
+  bool cameBefore(std::size_t radar, std::int64_t running, const tws::Plot& plot);
+  void begin(const Executive::Turn& turn);
+  void end();
+  void pass(const Executive::Turn& turn, bool map_clutter);
   void process(const Executive::Turn& turn);
   void admit(const Executive::Turn& turn);
   void mapClutter(const Executive::Turn& turn);
@@ -87,6 +123,8 @@ class Adit {
   void initiate(const Executive::Turn& turn);
   /// nullptr: there is no number left.
   Track* startTrack(std::size_t radar, const tws::Plot& plot);
+  /// As far as no beam has met it yet.
+  std::optional<TrackFile::Slot> newTrack(std::size_t radar, const tws::Plot& plot);
   void convertSlowTracks(const Executive::Turn& turn);
   bool hasBecomeSlow(Track& track, double judge_after) const;
   void moveOn(TrackFile::Slot slot, std::size_t radar);
@@ -113,10 +151,12 @@ class Adit {
   TrackMotion motion_;
   TrackJudge judge_;
   AditCounts counts_;
+  std::uint64_t taken_ = 0;  // sectors
 
   // Of the sector being processed; kept to save allocations.
   SectorReport report_;
   Slots primary_, secondary_, dropped_;
+  std::vector<TrackWord> by_hand_;  // said with the next sector
 };
 
 }  // namespace adit_tracker

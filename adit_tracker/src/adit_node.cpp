@@ -6,12 +6,17 @@
 #include <tws_runtime/parameters.h>
 #include <tws_runtime/radar_inputs.h>
 
+#include <algorithm>
 #include <cmath>
 #include <deque>
+#include <limits>
 #include <optional>
 
 #include "adit.h"
 #include "adit_params_reader.h"
+#include "operator_port.h"
+#include "radar_sites.h"
+#include "status_report.h"
 #include "track_messages.h"
 
 namespace adit_tracker {
@@ -24,6 +29,8 @@ struct NodeParams {
   AditParams adit;
   std::string frame = "map";  // of positions
   RadarInputs::Options inputs;
+  std::size_t overflow = 20;  // sectors behind the antenna
+  std::string point_topic;
 };
 
 NodeParams readNodeParams(Bus& bus) {
@@ -34,6 +41,8 @@ NodeParams readNodeParams(Bus& bus) {
   reader.text("frame", params.frame);
   reader.number("wait_limit_s", params.inputs.wait_limit, 0.0, 60.0);
   reader.number("restart_limit_s", params.inputs.restart_limit, 0.5, 3600.0);
+  reader.integer("overflow_sectors", params.overflow, 0, 1000000);
+  reader.text("point_topic", params.point_topic);
   reader.done();
   if (params.inputs.wait_limit >= params.adit.skew_limit) {
     reader.fail("wait_limit_s", "must be less than skew_limit_s, or what replaces lost messages comes too late");
@@ -46,16 +55,22 @@ NodeParams readNodeParams(Bus& bus) {
   return params;
 }
 
+std::vector<std::string> namesOf(const AditParams& params) {
+  std::vector<std::string> names;
+  for (const RadarParams& radar : params.radars) names.push_back(radar.name);
+  return names;
+}
+
 std::vector<tws_runtime::RadarTopics> topicsOf(const AditParams& params) {
   std::vector<tws_runtime::RadarTopics> topics;
   for (const RadarParams& radar : params.radars) topics.push_back(tws_runtime::usualTopics(radar.name));
   return topics;
 }
 
-// Radars further apart than this do not see a target in the same polar coordinates.
-constexpr double kSameSite = 100.0;  // [m]
 // Sectors that wait for the radars' sites: two turns of one radar.
 constexpr std::size_t kMostWaiting = 2 * tws::kSectors;
+// Of the reference radar: there the report sets its status words (ELEV).
+constexpr std::int64_t kStatusSector = 61;
 
 }  // namespace
 
@@ -66,12 +81,19 @@ class AditNode::Impl {
         params_(readNodeParams(bus)),
         tracks_(bus.advertise<tws_msgs::Tracks>("/" + bus.name() + "/tracks")),
         clutter_(bus.advertise<tws_msgs::ClutterMap>("/" + bus.name() + "/clutter_map", true)),
-        usable_(params_.adit.radars.size()),
+        status_(bus.advertise<tws_msgs::TrackerStatus>("/" + bus.name() + "/status")),
+        operators_(bus, params_.frame, params_.point_topic, operatorHost()),
+        sites_(bus, params_.frame, namesOf(params_.adit),
+               [this](std::size_t radar) -> const std::string& { return inputs_.frame(radar); }),
         inputs_(
             bus, topicsOf(params_.adit), params_.inputs,
             [this](std::size_t radar, tws::RadarSector sector) { onSector(radar, std::move(sector)); },
-            [this](double) { begin(); }) {
+            [this](double) {
+              operators_.beginNewRun();
+              begin();
+            }) {
     begin();
+    bus.diagnose("tracker", [this] { return diagnosisOf(*adit_, state(bus_.now())); });
   }
 
  private:
@@ -79,57 +101,80 @@ class AditNode::Impl {
   void begin() {
     waiting_.clear();
     totals_ = AditCounts{};
+    heard_.assign(params_.adit.radars.size(), -std::numeric_limits<double>::infinity());
     adit_.emplace(params_.adit, [this](const SectorReport& report) { publish(report); });
+  }
+
+  OperatorPort::Host operatorHost() {
+    return {[this](std::string& why) { return caughtUp(why); }, [this]() -> const Site& { return sites_.origin(); }};
   }
 
   /// Sectors wait, in the order in which they came, until the sites of their radars are known: what comes out does not
   /// depend on when a transform arrives, nor on which radar is heard first.
   void onSector(std::size_t radar, tws::RadarSector sector) {
+    heard_[radar] = sector.leave_time;
     waiting_.emplace_back(radar, std::move(sector));
     const bool patient = waiting_.size() <= kMostWaiting;
-    if (!origin_ && !findOrigin(patient)) return;
     for (const auto& [waiting, unused] : waiting_) {
-      if (!usable_[waiting] && !findSite(waiting, patient)) return;
+      if (!sites_.find(waiting, patient)) return;
     }
+    const bool all_at_once = waiting_.size() > 1;  // they waited for a site, which is no overload
     for (auto& [ready, its_sector] : waiting_) {
-      if (*usable_[ready]) adit_->add(ready, std::move(its_sector));
+      if (sites_.usable(ready)) adit_->take(ready, std::move(its_sector));
     }
     waiting_.clear();
-    countTroubles();
+    while (all_at_once && workOne()) continue;
+    if (!bus_.live()) return work();
+    if (!scheduled_) bus_.whenDrained([this] { work(); });
+    scheduled_ = true;
   }
 
-  std::optional<Site> siteOf(std::size_t radar, std::string& why) const {
-    // Before its first message a radar's frame is taken to have its name.
-    const std::string& heard = inputs_.frame(radar);
-    const std::string& frame = heard.empty() ? params_.adit.radars[radar].name : heard;
-    return tws_runtime::findSite(bus_.transforms(), params_.frame, frame, why);
-  }
-
-  /// The first radar's site; of the first one that is heard, when the first radar has none.
-  bool findOrigin(bool patient) {
-    std::string why;
-    origin_ = siteOf(0, why);
-    if (origin_ || patient) return origin_.has_value();
-    origin_ = siteOf(waiting_.front().first, why);
-    if (!origin_) origin_ = Site{};
-    return true;
-  }
-
-  /// False: the radar's sectors wait for its site.
-  bool findSite(std::size_t radar, bool patient) {
-    std::string why;
-    const std::optional<Site> site = siteOf(radar, why);
-    if (!site && patient) return false;
-    const std::string& name = params_.adit.radars[radar].name;
-    if (!site) bus_.counter("unknown sites").add("no transform from " + name + " to " + params_.frame + ": " + why);
-    const double distance = site ? std::hypot(site->x - origin_->x, site->y - origin_->y) : 0.0;
-    usable_[radar] = distance <= kSameSite;
-    if (!*usable_[radar]) {
-      bus_.counter("radars at another site")
-          .add(name + " stands " + std::to_string(std::lround(distance)) +
-               " m from the first radar; its detections are left out");
+  /// Live, one sector at a time, so that what arrives meanwhile is known in between: only then can the lag be seen.
+  void work() {
+    scheduled_ = false;
+    if (bus_.live()) skipWhenOverflowing();
+    while (workOne()) {
+      if (!bus_.live()) continue;
+      scheduled_ = true;
+      return bus_.whenDrained([this] { work(); });
     }
+    ++operator_calls_;
+  }
+
+  bool workOne() {
+    if (!adit_->step()) return false;
+    afterSector();
     return true;
+  }
+
+  void afterSector() {
+    countTroubles();
+    operators_.afterSector(*adit_);
+    const SectorReport& latest = adit_->latest();
+    const bool counts = latest.radar == adit_->referenceRadar() || adit_->silent(adit_->referenceRadar());
+    if (counts && latest.running % tws::kSectors == kStatusSector) publishStatus(latest);
+  }
+
+  /// The report's I12DEL: sectors that wait for nothing but the tracker, and the four that it needs ahead.
+  std::size_t lag() const {
+    const std::vector<std::size_t> ready = adit_->ready();
+    return Executive::kSectorsAhead + *std::max_element(ready.begin(), ready.end());
+  }
+
+  void skipWhenOverflowing() {
+    if (params_.overflow == 0 || adit_->waiting() <= params_.overflow || lag() <= params_.overflow) return;
+    adit_->skip();
+    afterSector();
+  }
+
+  /// What has just come is worked off first, if it is little.
+  Adit* caughtUp(std::string& why) {
+    constexpr std::size_t kCaughtUp = 5;  // sectors behind the antenna, as in the report
+    constexpr int kFew = 8;               // sectors worked off while the operator waits
+    for (int i = 0; i < kFew && lag() >= kCaughtUp; ++i) workOne();
+    if (adit_->counts().sectors == 0) why = "no sector has been processed yet";
+    if (lag() >= kCaughtUp) why = std::to_string(lag()) + " sectors behind the radars; ask again";
+    return why.empty() ? &*adit_ : nullptr;
   }
 
   void publish(const SectorReport& report) {
@@ -142,7 +187,7 @@ class AditNode::Impl {
     message.sector = static_cast<std::uint8_t>(report.running % tws::kSectors);
     message.sequence = sequence_++;
     for (const TrackWord& word : report.words) {
-      message.tracks.push_back(trackMessage(*adit_, word, *origin_));
+      message.tracks.push_back(trackMessage(*adit_, word, sites_.origin()));
     }
     tracks_.publish(message);
     if (message.sector == 0) publishClutter(report);
@@ -157,6 +202,21 @@ class AditNode::Impl {
     clutter_.publish(message);
   }
 
+  NodeState state(ros::Time now) {
+    NodeState state{operator_calls_, skipped_, bus_.counter("bad detections").value(), {}};
+    for (const double heard : heard_) state.silence.push_back(tws_runtime::toSeconds(now) - heard);
+    return state;
+  }
+
+  void publishStatus(const SectorReport& report) {
+    const ros::Time stamp = tws_runtime::toTime(report.enter_time);
+    tws_msgs::TrackerStatus message = statusMessage(*adit_, state(stamp));
+    message.header.stamp = stamp;
+    message.tracker = bus_.name();
+    status_.publish(message);
+    operator_calls_ = skipped_ = 0;
+  }
+
   void countTroubles() {
     const AditCounts& now = adit_->counts();
     const auto count = [&](const char* name, std::uint64_t AditCounts::*member, const std::string& reason) {
@@ -169,18 +229,40 @@ class AditNode::Impl {
           "a radar's data came more than " + std::to_string(params_.adit.skew_limit) + " s after the others'");
     count("rejected plots", &AditCounts::rejected_plots,
           "range, azimuth or time is no number, or range is not in (0, 10000 km]");
+    count("late detections", &AditCounts::late_plots, "stamped more than a sector before the one that they came with");
+    count("duplicate detections", &AditCounts::duplicate_plots, "the same time, range and azimuth came before");
+    count("skipped sectors", &AditCounts::skipped_sectors,
+          "overflow: more than " + std::to_string(params_.overflow) + " sectors behind the radars");
+    skipped_ += static_cast<std::uint32_t>(now.skipped_sectors - totals_.skipped_sectors);
+    warnOfCapacity();
     totals_ = now;
+  }
+
+  /// Once, until there is room again.
+  void warnOfCapacity() {
+    const bool nearly_full = isFilled(*adit_, kNearlyFull);
+    if (nearly_full && !warned_)
+      bus_.counter("capacity warnings")
+          .add(std::to_string(adit_->tracks().size()) + " of " + std::to_string(params_.adit.capacity - 1) +
+               " track numbers are in use");
+    constexpr double kRoomAgain = 0.8;
+    warned_ = nearly_full || (warned_ && isFilled(*adit_, kRoomAgain));
   }
 
   Bus& bus_;
   NodeParams params_;
   tws_runtime::Publisher<tws_msgs::Tracks> tracks_;
   tws_runtime::Publisher<tws_msgs::ClutterMap> clutter_;
+  tws_runtime::Publisher<tws_msgs::TrackerStatus> status_;
+  OperatorPort operators_;
   std::deque<std::pair<std::size_t, tws::RadarSector>> waiting_;
-  std::vector<std::optional<bool>> usable_;  // of each radar: does it stand with the first? Nothing: not known yet
-  std::optional<Site> origin_;
+  RadarSites sites_;
   std::uint32_t sequence_ = 0;
   AditCounts totals_;
+  std::vector<double> heard_;                       // of each radar: the end of its last sector [s]
+  std::uint32_t operator_calls_ = 0, skipped_ = 0;  // since the last status
+  bool scheduled_ = false;                          // work() stands in the queue
+  bool warned_ = false;                             // of the capacity
   std::optional<Adit> adit_;
   RadarInputs inputs_;
 };

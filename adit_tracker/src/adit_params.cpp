@@ -102,6 +102,7 @@ AditParams AditParams::named(const std::string& name) {
   p.clutter.smoothing = 1.0;
   p.clutter.yields_to_tracks = false;
   p.conversion.scans = 8;
+  p.operators.page = 32;
   p.conversion.over_ground = false;
   p.conversion.from_start = false;
   p.conversion.speed_up = tws::speedFromKnots(45.0);

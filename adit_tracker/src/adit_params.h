@@ -78,6 +78,12 @@ struct ExistenceParams {
   double survival_time = 400.0;           // Mean time that a target stays [s].
 };
 
+/// What operators get.
+struct OperatorParams {
+  std::uint32_t page = 0;      // Most tracks that one answer lists; 0: all of them. The report's is 32.
+  double point_sigma = 500.0;  // How well an operator's point is placed [m].
+};
+
 /// All that the tracker's behaviour depends on. The member initialisers are the set `default`.
 struct AditParams {
   std::vector<RadarParams> radars;
@@ -100,6 +106,7 @@ struct AditParams {
   ExistenceParams existence;
   ClutterParams clutter;
   ConversionParams conversion;
+  OperatorParams operators;
 
   /// The named set without radars: "default" or "nrl7952", the report's letter. Throws std::invalid_argument.
   static AditParams named(const std::string& name);

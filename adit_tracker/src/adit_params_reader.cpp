@@ -131,6 +131,12 @@ void readClutter(ParameterReader& reader, AditParams& p) {
   v.done();
 }
 
+void readOperators(ParameterReader reader, OperatorParams& p) {
+  reader.integer("page", p.page, 0, 1000001);
+  reader.number("point_sigma_m", p.point_sigma, 1.0, 1e5);
+  reader.done();
+}
+
 }  // namespace
 
 AditParams readAditParams(ParameterReader& reader, const std::string& default_set) {
@@ -149,6 +155,7 @@ AditParams readAditParams(ParameterReader& reader, const std::string& default_se
   reader.number("gate_sigmas", p.gate_sigmas, 0.5, 20.0);
   readLife(reader, p);
   readClutter(reader, p);
+  readOperators(reader.map("operator"), p.operators);
   return p;
 }
 

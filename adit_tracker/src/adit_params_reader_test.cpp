@@ -60,7 +60,8 @@ std::vector<double> valuesOf(const AditParams& p) {
                      static_cast<double>(c.hits), c.smoothing, static_cast<double>(c.yields_to_tracks)});
   v.insert(v.end(), {static_cast<double>(p.conversion.scans), p.conversion.speed_up, p.conversion.speed_down,
                      p.conversion.azimuth_rate, static_cast<double>(p.conversion.over_ground),
-                     static_cast<double>(p.conversion.from_start)});
+                     static_cast<double>(p.conversion.from_start), static_cast<double>(p.operators.page),
+                     p.operators.point_sigma});
   return v;
 }
 
@@ -121,6 +122,7 @@ TEST(NamedSets, TheLetterHasTheReportsFigures) {
   EXPECT_EQ(p.clutter.drop_time, 40.0);
   EXPECT_EQ(p.timers.firm_time, 20.0);
   EXPECT_EQ(p.conversion.scans, 8);
+  EXPECT_EQ(p.operators.page, 32U);
   EXPECT_NEAR(p.conversion.speed_up, 45.0 * 1852.0 / 3600.0, 1e-12);
   EXPECT_NEAR(p.conversion.speed_down, 56.0 * 1852.0 / 3600.0, 1e-12);
 }
@@ -166,6 +168,8 @@ constexpr Mistake kMistakes[] = {
     {"{radars: [{name: a}], timers: {firm_time_s: -1}}", "timers.firm_time_s", "[0, 10000]"},
     {"{radars: [{name: a}], existence: {firm_probability: 1.0}}", "existence.firm_probability", "0.99999"},
     {"{radars: [{name: a}], conversion: {scans: 1}}", "conversion.scans", "[2, 1000]"},
+    {"{radars: [{name: a}], operator: {page: -1}}", "operator.page", "[0, 1000001]"},
+    {"{radars: [{name: a}], operator: {point_sigma_m: 0}}", "operator.point_sigma_m", "[1, 100000]"},
     {"{radars: [{name: a}], track_gates: {range_m: [1, 2, 3]}}", "track_gates.range_m", "needs 5 values"},
     {"{radars: [{name: a}], track_gates: {range_m: [1, 2, 3, 5, 4]}}", "gate 5", "smaller than the one before"},
     {"{radars: [{name: a}], track_gates: {azimuth_deg: [1, 2, 3, 4, 6]}}", "track_gates.azimuth_deg", "5.625"},

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include <tws_core/angles.h>
 #include <tws_core/sectors.h>
 
 namespace adit_tracker {
@@ -24,6 +25,11 @@ class Antenna {
   /// Rotational velocity (V12, V39) [rad/s].
   double rate() const { return tws::kTwoPi / period_; }
 
+  static int sectorNumber(std::int64_t running) { return tws::wrapSector(static_cast<int>(running % tws::kSectors)); }
+  /// The unwrapped azimuth of a direction, next to the beginning of a running sector.
+  static double near(double azimuth, std::int64_t running) {
+    return startOf(running) + tws::angularDifference(azimuth, tws::sectorStart(sectorNumber(running)));
+  }
   /// The unwrapped azimuth at which the running sector begins.
   static double startOf(std::int64_t running) { return static_cast<double>(running) * tws::kSectorWidth; }
   /// When the beam is at an unwrapped azimuth: between marks by interpolation, beyond the newest by the period. Needs

@@ -67,4 +67,10 @@ std::optional<Executive::Turn> Executive::next() {
   return turn;
 }
 
+std::vector<std::size_t> Executive::ready() const {
+  std::vector<std::size_t> sectors(radars_.size(), 0);
+  for (Executive ahead = *this; const auto turn = ahead.next();) ++sectors[turn->radar];
+  return sectors;
+}
+
 }  // namespace adit_tracker

@@ -32,6 +32,10 @@ class Executive {
   /// The next sector to be processed; nothing: more data must come first.
   std::optional<Turn> next();
 
+  /// How many sectors of each radar next() would hand out by now: what is left of them is nobody's fault but the
+  /// caller's.
+  std::vector<std::size_t> ready() const;
+
   /// No more data will come: next() hands out all that is left.
   void finish() { finished_ = true; }
 

@@ -53,6 +53,8 @@ struct alignas(64) Track {
   std::uint32_t uid = 0;                       // never used twice in a run
   bool coasting = false;                       // not detected when a beam met it last
   bool firm = false;                           // the opposite of bit 15 of OUT
+  bool handed_off = false;                     // to a tracking radar: bit 5 of OUT
+  bool designated = false;                     // for elevation searches: bit 6 of OUT
   std::uint16_t detected_by = 0;   // radars that detected it when they last had the chance: bits 1..3 of OUT
   std::int32_t updates = 0;        // detections used
   Kinematics smoothed;             // at the latest update

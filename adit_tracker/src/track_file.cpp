@@ -36,14 +36,18 @@ std::optional<TrackFile::Slot> TrackFile::start() {
 }
 
 void TrackFile::drop(Slot slot) {
-  if (sectors_.sector(slot) >= 0) sectors_.remove(slot);
+  withdraw(slot);
   numbers_.drop(tracks_[slot].number);
   free_.push_back(slot);
   --size_;
 }
 
-void TrackFile::place(Slot slot, int sector) {
+void TrackFile::withdraw(Slot slot) {
   if (sectors_.sector(slot) >= 0) sectors_.remove(slot);
+}
+
+void TrackFile::place(Slot slot, int sector) {
+  withdraw(slot);
   if (tracks_[slot].firm) {
     sectors_.addFirst(slot, sector);
   } else {

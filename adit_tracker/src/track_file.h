@@ -24,6 +24,8 @@ class TrackFile {
   /// A new tentative track with a number, in no sector yet; nothing: all numbers are in use.
   std::optional<Slot> start();
   void drop(Slot slot);
+  /// Takes a track out of its sector's file: no beam meets it any more, until it is dropped.
+  void withdraw(Slot slot);
 
   /// Puts a track into the file of a sector: firm tracks on top, tentative ones at the bottom.
   void place(Slot slot, int sector);

@@ -65,6 +65,8 @@ tws_msgs::Track trackMessage(const Adit& adit, const TrackWord& word, const Site
   setPlace(message, now.kinematics, site);
   if (now.has_covariance) setCovariance(message, now.planar, site);
   message.detection_bits = track.detected_by;
+  if (track.handed_off) message.detection_bits |= tws_msgs::Track::HANDED_OFF;
+  if (track.designated) message.detection_bits |= tws_msgs::Track::ELEVATION_REQUESTED;
   for (std::size_t radar = 0; radar < adit.params().radars.size(); ++radar) {
     if (track.updated[radar] == kNever) continue;
     message.radars.push_back(adit.params().radars[radar].name);
