@@ -10,6 +10,7 @@
 
 #include "in_words.h"
 #include "offline_graph.h"
+#include "recorded_requests.h"
 #include "run_input.h"
 
 namespace {
@@ -76,6 +77,9 @@ void run(const Options& options) {
   offline.graph().record(output);
   std::vector<tws_runtime::Source*> sources = offline.sources();
   std::unique_ptr<tws_runtime::BagSource> bag;
+  std::unique_ptr<tws_launch::RecordedRequests> requests;
+  if (input.is_bag)
+    sources.push_back((requests = std::make_unique<tws_launch::RecordedRequests>(offline.graph(), input.path)).get());
   if (input.is_bag)
     sources.push_back((bag = std::make_unique<tws_runtime::BagSource>(offline.graph(), input.path)).get());
   const ros::Duration duration = options.duration ? ros::Duration(*options.duration) : ros::DURATION_MAX;
