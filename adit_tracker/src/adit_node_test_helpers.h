@@ -97,8 +97,8 @@ class NodeGraph {
     tws_msgs::OperatorCommand::Response answer;
     command.request = request;
     command.track = track;
-    command.from = from;
-    command.to = to;
+    command.lower = from;
+    command.upper = to;
     graph.call<tws_msgs::OperatorCommand>("/adit/operator_command", command, answer);
     return answer;
   }

@@ -230,6 +230,48 @@ TEST_P(BothSets, DataThatComeTooLateAreUsedAndCounted) {
   EXPECT_EQ(listener.sectors, static_cast<int>(radars[0].size() + radars[1].size()));
 }
 
+// If this fails, an overloaded tracker deletes tracks of which it has not looked at the detections, starts false ones,
+// or its heartbeat stops. Half a turn is skipped; afterwards each track is seen again on the next turn.
+TEST_P(BothSets, SkippedSectorsCostNoTrackAndTheirDetectionsStartNone) {
+  const RadarSectors radars = twoRadars(140.0, {{60e3, 20e3, -240.0, 180.0}, {-50e3, 40e3, 200.0, 220.0}});
+  Listener listener(params());
+  std::vector<std::tuple<double, std::size_t, std::size_t>> order;
+  for (std::size_t r = 0; r < radars.size(); ++r) {
+    for (std::size_t i = 0; i < radars[r].size(); ++i) order.emplace_back(radars[r][i].leave_time, r, i);
+  }
+  std::sort(order.begin(), order.end());
+  std::set<std::uint32_t> before;
+  std::size_t started = 0, ready = 0, words = 0;
+  for (const auto& [time, r, i] : order) {
+    listener.adit.take(r, radars[r][i]);
+    if (time > 80.0 && time <= 84.0) continue;
+    if (time > 84.0 && before.empty()) {
+      before = listener.believed();
+      started = listener.of(TrackEvent::kStarted).size();
+      words = listener.words.size();
+      for (const std::size_t sectors : listener.adit.ready()) ready += sectors;
+      listener.adit.skip();
+      EXPECT_EQ(listener.adit.counts().skipped_sectors, ready);
+      EXPECT_EQ(listener.words.size(), words);
+    }
+    while (listener.adit.step()) continue;
+  }
+  EXPECT_EQ(before.size(), 2U);
+  // 4 s are 42 sectors of the one radar and 32 of the other.
+  EXPECT_NEAR(static_cast<double>(ready), 74.0, 3.0);
+  EXPECT_EQ(listener.sectors, static_cast<int>(listener.adit.counts().sectors));
+  EXPECT_EQ(listener.of(TrackEvent::kStarted).size(), started);
+  for (const Word& w : listener.of(TrackEvent::kDropped)) EXPECT_EQ(before.count(w.uid), 0U);
+  std::map<std::uint32_t, double> seen_again;
+  for (const Word& w : listener.of(TrackEvent::kUpdated)) {
+    if (w.sector_time > 84.0) seen_again.emplace(w.uid, w.sector_time);
+  }
+  for (const std::uint32_t uid : before) {
+    ASSERT_EQ(seen_again.count(uid), 1U);
+    EXPECT_LT(seen_again[uid], 92.5);
+  }
+}
+
 TEST_P(BothSets, WithoutAListenerItWorksTheSame) {
   const RadarSectors radars = twoRadars(100.0, {{60e3, 20e3, -150.0, 120.0}});
   Adit deaf(params(), {});

@@ -47,7 +47,7 @@ bool isTarget(const Adit& adit, Slot slot) { return adit.tracks().at(slot).firm;
 Kinematics nowOf(const Adit& adit, Slot slot) { return adit.at(slot, adit.latest().enter_time).kinematics; }
 
 OperatorAnswer listAzimuth(const Adit& adit, const OperatorRequest& request) {
-  if (!std::isfinite(request.from) || !std::isfinite(request.to)) return refused("from and to must be azimuths [rad]");
+  if (!std::isfinite(request.from) || !std::isfinite(request.to)) return refused("lower and upper must be azimuths [rad]");
   const bool all_round = request.to - request.from >= tws::kTwoPi;
   const double width = tws::wrapTwoPi(request.to - request.from);
   return list(adit, request, [&](Slot slot) {
@@ -58,8 +58,8 @@ OperatorAnswer listAzimuth(const Adit& adit, const OperatorRequest& request) {
 
 OperatorAnswer listRange(const Adit& adit, const OperatorRequest& request) {
   const bool outside = !std::isnan(request.from), inside = !std::isnan(request.to);
-  if (!outside && !inside) return refused("one of from and to must be a range [m]");
-  if (outside && inside && request.from > request.to) return refused("from must not be greater than to");
+  if (!outside && !inside) return refused("one of lower and upper must be a range [m]");
+  if (outside && inside && request.from > request.to) return refused("lower must not be greater than upper");
   return list(adit, request, [&](Slot slot) {
     const double range = nowOf(adit, slot).range;
     return isTarget(adit, slot) && !(outside && range < request.from) && !(inside && range > request.to);
@@ -67,7 +67,7 @@ OperatorAnswer listRange(const Adit& adit, const OperatorRequest& request) {
 }
 
 OperatorAnswer listClosing(const Adit& adit, const OperatorRequest& request) {
-  if (!std::isfinite(request.from)) return refused("from must be a closing speed [m/s]");
+  if (!std::isfinite(request.from)) return refused("lower must be a closing speed [m/s]");
   return list(adit, request,
               [&](Slot slot) { return isTarget(adit, slot) && -nowOf(adit, slot).range_rate >= request.from; });
 }

@@ -9,8 +9,8 @@ OperatorRequest requestOf(const tws_msgs::OperatorRequest& message, const tws_ru
   request.action = static_cast<OperatorAction>(message.request);
   request.track = message.track;
   request.cancel = message.cancel != 0;
-  request.from = message.from;
-  request.to = message.to;
+  request.from = message.lower;
+  request.to = message.upper;
   request.start = message.start;
   const double c = std::cos(site.turn), s = std::sin(site.turn);
   const double dx = message.position.x - site.x, dy = message.position.y - site.y;

@@ -48,7 +48,7 @@ Request OperatorPort::blank(std::uint8_t request) const {
   message.tracker = bus_.name();
   message.request = request;
   message.run = run_;
-  message.from = message.to = OperatorRequest::kUnused;
+  message.lower = message.upper = OperatorRequest::kUnused;
   return message;
 }
 
@@ -75,8 +75,8 @@ bool OperatorPort::command(const tws_msgs::OperatorCommand::Request& request,
   Request message = blank(request.request);
   message.track = request.track;
   message.cancel = request.cancel;
-  message.from = request.from;
-  message.to = request.to;
+  message.lower = request.lower;
+  message.upper = request.upper;
   message.start = request.start;
   message.position.x = message.position.y = OperatorRequest::kUnused;  // INITIATE has a service of its own
   if (Adit* const adit = readyFor(message)) {

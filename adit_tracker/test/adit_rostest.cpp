@@ -224,6 +224,27 @@ TEST_F(AditRostest, BadDetectionsBecomeNeitherTracksNorClutter) {
   for (const auto& point : clutter_.points) EXPECT_GT(point.range, 40e3);
 }
 
+// If this fails, a simulation that is started again, or a bag that is played in a loop, meets the old run's tracks.
+// After the test of the heartbeat, which counts what was heard so far.
+TEST_F(AditRostest, TimeThatGoesBackBeginsANewRun) {
+  ASSERT_TRUE(waitFor([] { return !heard_.empty(); }));
+  const std::size_t before = heard_.size();
+  for (Radar& radar : radars_) radar.running = radar.count = 0;
+  for (Radar& radar : radars_) publishMark(radar, 0);
+  for (int sector = 0; sector < 200; ++sector) {
+    publishSector(radars_[0].time(radars_[0].running) <= radars_[1].time(radars_[1].running) ? radars_[0] : radars_[1]);
+    const auto again = static_cast<std::size_t>(sector);
+    ASSERT_TRUE(waitFor([&] { return heard_.size() - before + 15 >= again; }));
+  }
+  EXPECT_EQ(heard_.at(before).running_sector, 0U);
+  EXPECT_NEAR(heard_.at(before).header.stamp.toSec(), kStart, 0.2);
+  const auto first_word = std::find_if(heard_.begin() + static_cast<std::ptrdiff_t>(before), heard_.end(),
+                                       [](const tws_msgs::Tracks& message) { return !message.tracks.empty(); });
+  ASSERT_NE(first_word, heard_.end());
+  EXPECT_EQ(first_word->tracks[0].uid, 0U);
+  EXPECT_EQ(first_word->tracks[0].state, tws_msgs::Track::TENTATIVE);
+}
+
 /// What the node says with these private parameters, and its exit status.
 std::pair<std::string, int> startedWith(const std::string& arguments) {
   const std::string command = "rosrun adit_tracker adit_node __name:=refused " + arguments + " 2>&1";

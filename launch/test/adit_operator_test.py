@@ -41,7 +41,7 @@ class Operator:
         """Asks again when the tracker is busy, as an operator does."""
         service = rospy.ServiceProxy("/adit/operator_command", OperatorCommand)
         for _ in range(50):
-            answer = service(OperatorCommandRequest(request=request, track=track, **{"from": start, "to": end}))
+            answer = service(OperatorCommandRequest(request=request, track=track, lower=start, upper=end))
             if answer.result != answer.BUSY:
                 return answer
             time.sleep(0.02)

@@ -192,7 +192,7 @@ class WindowTrackerNode::Impl {
     request.tracker = bus_.name();
     request.request = what;
     request.radar = params_.radar;
-    request.from = request.to = std::numeric_limits<double>::quiet_NaN();
+    request.lower = request.upper = std::numeric_limits<double>::quiet_NaN();
     return request;
   }
 

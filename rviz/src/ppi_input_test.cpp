@@ -81,6 +81,19 @@ TEST(PpiInput, ATrackIsReportedUnderItsTrackersPrefix) {
   EXPECT_EQ(report.identity, "");
 }
 
+TEST(PpiInput, TheBitsOfHandoffAndDesignationAreTakenOver) {
+  tws_msgs::Track track;
+  track.state = tws_msgs::Track::FIRM;
+  const auto report = [&](std::uint16_t bits) {
+    track.detection_bits = bits;
+    return trackReport(track, 0, "", 5.0, PlanarFrame{});
+  };
+  EXPECT_TRUE(report(tws_msgs::Track::HANDED_OFF).handed_off);
+  EXPECT_FALSE(report(tws_msgs::Track::HANDED_OFF).designated);
+  EXPECT_TRUE(report(tws_msgs::Track::ELEVATION_REQUESTED | 3).designated);
+  EXPECT_FALSE(report(3).handed_off);
+}
+
 TEST(PpiInput, ACallsignStandsInPlaceOfTheNumber) {
   tws_msgs::Track named = track();
   named.callsign = "SAS123";

@@ -33,6 +33,7 @@ struct PpiStyle {
   Rgba firm{1.0f, 1.0f, 1.0f, 1.0f};
   Rgba secondary{0.35f, 0.90f, 1.0f, 1.0f};  // a firm track of which only a secondary radar knows
   Rgba coasting{1.0f, 0.50f, 0.10f, 1.0f};
+  Rgba ordered{0.25f, 0.80f, 1.0f, 1.0f};  // marks of what an operator has ordered
   Rgba clutter{0.62f, 0.42f, 0.25f, 1.0f};
   Rgba truth{0.80f, 0.30f, 0.80f, 1.0f};
 };

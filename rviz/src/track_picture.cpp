@@ -106,6 +106,9 @@ void TrackPicture::drawSymbol(Drawing& drawing, const TrackReport& report, const
   if (leader.allFinite()) addLine(drawing, report.position, report.position + leader, style.line, color);
   addPolygon(drawing, report.position, symbolOf(report, style), style.line, color);
   if (report.kind == TrackKind::kCorrelated) addDot(drawing, report.position, 0.7 * style.symbol, color);
+  // Around the symbol: a wide circle for a track that is handed off, a wide diamond for a designated one.
+  if (report.handed_off) addPolygon(drawing, report.position, {16, 1.6 * style.symbol, 0.0}, style.line, style.ordered);
+  if (report.designated) addPolygon(drawing, report.position, {4, 2.2 * style.symbol, 0.0}, style.line, style.ordered);
 }
 
 void TrackPicture::drawLabels(Drawing& drawing, const std::vector<LivingTrack*>& shown, const PpiStyle& style) {

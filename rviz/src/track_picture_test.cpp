@@ -134,6 +134,22 @@ TEST(TrackPicture, OfACoveredSourceOnlyWhatWasNeverFirmIsDrawn) {
 }
 
 // A dropped track that stayed would be a ghost aircraft.
+// If this fails, an operator does not see which tracks he has handed off or designated.
+TEST(TrackPicture, HandedOffAndDesignatedTracksAreMarkedEachInItsOwnWay) {
+  std::set<std::size_t> sizes;
+  for (const bool handed_off : {false, true}) {
+    for (const bool designated : {false, true}) {
+      TrackPicture tracks(kLook);
+      TrackReport marked = report(7, TrackState::kFirm, 100.0);
+      marked.handed_off = handed_off;
+      marked.designated = designated;
+      tracks.hear(marked);
+      sizes.insert(drawn(tracks, 100.0).triangles.size());
+    }
+  }
+  EXPECT_EQ(sizes.size(), 4U);
+}
+
 TEST(TrackPicture, ADroppedTrackVanishes) {
   TrackPicture tracks(kLook);
   tracks.hear(report(7, TrackState::kFirm, 100.0));
