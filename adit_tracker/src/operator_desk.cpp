@@ -47,7 +47,8 @@ bool isTarget(const Adit& adit, Slot slot) { return adit.tracks().at(slot).firm;
 Kinematics nowOf(const Adit& adit, Slot slot) { return adit.at(slot, adit.latest().enter_time).kinematics; }
 
 OperatorAnswer listAzimuth(const Adit& adit, const OperatorRequest& request) {
-  if (!std::isfinite(request.from) || !std::isfinite(request.to)) return refused("lower and upper must be azimuths [rad]");
+  if (!std::isfinite(request.from) || !std::isfinite(request.to))
+    return refused("lower and upper must be azimuths [rad]");
   const bool all_round = request.to - request.from >= tws::kTwoPi;
   const double width = tws::wrapTwoPi(request.to - request.from);
   return list(adit, request, [&](Slot slot) {
