@@ -22,6 +22,7 @@ double angleOf(double distance, double range, double widest) {
 std::vector<double> weightsOf(const std::vector<tws::Plot>& echoes) {
   const bool known = std::all_of(echoes.begin(), echoes.end(), [](const auto& e) { return std::isfinite(e.snr); });
   std::vector<double> weights;
+  weights.reserve(echoes.size());
   for (const tws::Plot& echo : echoes) weights.push_back(known ? std::pow(10.0, echo.snr / 20.0) : 1.0);
   return weights;
 }

@@ -41,7 +41,7 @@ WindowTracker::WindowTracker(const WindowParams& params, OnReport on_report)
       numbers_(static_cast<std::uint32_t>(params_.capacity)) {}
 
 // The five stages of the thesis. (2) The windows are opened by (5), for the next scan.
-void WindowTracker::process(tws::RadarSector sector) {
+void WindowTracker::process(const tws::RadarSector& sector) {
   beam_.hear(sector);
   detect(sector);  // (1) target detection
   for (auto& [number, track] : tracks_) {

@@ -69,7 +69,7 @@ class WindowTracker {
   WindowTracker& operator=(const WindowTracker&) = delete;
 
   /// The radar's sectors in order of their running numbers; what a gap held is lost.
-  void process(tws::RadarSector sector);
+  void process(const tws::RadarSector& sector);
 
   /// The operator's marker stands at a range [m] > 0 and azimuth [rad]: an acquisition window opens there. The new
   /// track's number; nothing when all are in use or no sector was processed yet.

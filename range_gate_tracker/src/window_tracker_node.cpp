@@ -110,7 +110,7 @@ class WindowTrackerNode::Impl {
     if (!site_ && !findSite(waiting_.size() <= kMostWaiting)) return;
     while (!waiting_.empty()) {
       processed_ = {waiting_.front().running, waiting_.front().leave_time};
-      tracker_->process(std::move(waiting_.front()));
+      tracker_->process(waiting_.front());
       waiting_.pop_front();
       queue_.release(processed_->running, [this](const auto& request) { obey(request); });
     }
