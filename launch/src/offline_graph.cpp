@@ -5,6 +5,7 @@
 #include <esa_frame_builder/frame_builder_node.h>
 #include <esa_frame_builder/mfa_stub_node.h>
 #include <radar_sim/radar_sim_node.h>
+#include <range_gate_tracker/range_gate_tracker_node.h>
 #include <range_gate_tracker/window_tracker_node.h>
 #include <track_correlator/ssr_tracker_node.h>
 #include <track_correlator/track_correlator_node.h>
@@ -46,6 +47,8 @@ void OfflineGraph::add(const NodeDescription& node) {
     nodes_.push_back(std::make_shared<esa_frame_builder::MfaStubNode>(bus));
   else if (program == "range_gate_tracker/window_tracker_node")
     nodes_.push_back(std::make_shared<range_gate_tracker::WindowTrackerNode>(bus));
+  else if (program == "range_gate_tracker/range_gate_tracker_node")
+    nodes_.push_back(std::make_shared<range_gate_tracker::RangeGateTrackerNode>(bus));
   else if (program == "track_evaluation/evaluation_node")
     nodes_.push_back(std::make_shared<track_evaluation::EvaluationNode>(bus));
   else if (program == "tws_launch/progress_node")

@@ -11,8 +11,8 @@
 namespace tws_launch {
 
 /// Listens to a run, says from time to time how far it has come, and knows at the end what happened.
-/// Private parameters: `radars` (names of rotating radars), `trackers` and `correlators` (names), `length` of the run
-/// [s], 0: unknown.
+/// Private parameters: `radars` (names of rotating radars), `array_radars`, `range_radars`, `trackers` and
+/// `correlators` (names), `length` of the run [s], 0: unknown.
 class ProgressNode {
  public:
   /// Lines go to `out`, which must outlive the node. Throws tws_runtime::ParameterError.

@@ -6,6 +6,7 @@
 #include <rosbag/view.h>
 #include <tws_msgs/Detections.h>
 #include <tws_msgs/DwellReports.h>
+#include <tws_msgs/RangeProfile.h>
 #include <tws_msgs/SsrPlots.h>
 #include <tws_msgs/Tracks.h>
 #include <tws_runtime/local_graph.h>
@@ -43,6 +44,8 @@ void readScenario(RunInput& input, std::optional<double> duration) {
   std::sort(input.secondary_radars.begin(), input.secondary_radars.end());
   input.array_radars = simulator.arrayRadars();
   std::sort(input.array_radars.begin(), input.array_radars.end());
+  input.range_radars = simulator.rangeRadars();
+  std::sort(input.range_radars.begin(), input.range_radars.end());
   input.feeds_tracks = simulator.feedsTracks();
   input.length = simulator.duration();
 }
@@ -56,6 +59,9 @@ void readBag(RunInput& input, std::optional<double> duration) try {
   rosbag::View dwells(bag, rosbag::TypeQuery(ros::message_traits::datatype<tws_msgs::DwellReports>()));
   input.array_radars = firstParts(dwells);
   view.addQuery(bag, rosbag::TypeQuery(ros::message_traits::datatype<tws_msgs::DwellReports>()));
+  rosbag::View profiles(bag, rosbag::TypeQuery(ros::message_traits::datatype<tws_msgs::RangeProfile>()));
+  input.range_radars = firstParts(profiles);
+  view.addQuery(bag, rosbag::TypeQuery(ros::message_traits::datatype<tws_msgs::RangeProfile>()));
   input.feeds_tracks = rosbag::View(bag, rosbag::TopicQuery("/primary/tracks")).size() > 0;
   rosbag::View windows(bag, rosbag::TopicQuery("/tws/tracks"));
   if (windows.size() > 0) input.windows = windows.begin()->instantiate<tws_msgs::Tracks>()->radar;
@@ -93,7 +99,8 @@ RunInput inspectInput(const std::string& path, std::optional<double> duration) {
     readBag(input, duration);
   else
     input.is_recording ? readRecording(input, duration) : readScenario(input, duration);
-  if (input.radars.empty() && input.array_radars.empty()) throw std::runtime_error(path + ": no primary radar in it");
+  if (input.radars.empty() && input.array_radars.empty() && input.range_radars.empty())
+    throw std::runtime_error(path + ": no primary radar in it");
   return input;
 }
 

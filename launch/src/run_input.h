@@ -14,6 +14,7 @@ struct RunInput {
   std::vector<std::string> radars;  ///< Names of the rotating radars, by name; of a recording only the busiest one.
   std::vector<std::string> secondary_radars;  ///< Of a scenario or bag, by name.
   std::vector<std::string> array_radars;      ///< Electronically scanned, of a scenario or bag, by name.
+  std::vector<std::string> range_radars;      ///< Those that report range profiles, of a scenario or bag, by name.
   bool feeds_tracks = false;                  ///< Primary and secondary tracks come with it, in place of trackers.
   std::string windows;  ///< The radar that the window tracker of a recorded run heard; empty: none.
   double length = 0.0;  ///< Data time from start to end [s].

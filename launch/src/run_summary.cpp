@@ -43,8 +43,9 @@ RunSummary RunSummary::ofBag(const std::string& path) {
     const rosbag::Bag bag(path);
     for (const rosbag::MessageInstance& instance : rosbag::View(bag))
       addAs<tws_msgs::Detections>(summary, instance) || addAs<tws_msgs::DwellReports>(summary, instance) ||
-          addAs<tws_msgs::Tracks>(summary, instance) || addAs<tws_msgs::CorrelatedTracks>(summary, instance) ||
-          addAs<tws_msgs::ClutterMap>(summary, instance) || addAs<diagnostic_msgs::DiagnosticArray>(summary, instance);
+          addAs<tws_msgs::RangeProfile>(summary, instance) || addAs<tws_msgs::Tracks>(summary, instance) ||
+          addAs<tws_msgs::CorrelatedTracks>(summary, instance) || addAs<tws_msgs::ClutterMap>(summary, instance) ||
+          addAs<diagnostic_msgs::DiagnosticArray>(summary, instance);
   } catch (const rosbag::BagException& error) {
     throw std::runtime_error(path + ": " + error.what());
   }
@@ -67,6 +68,13 @@ void RunSummary::add(const tws_msgs::DwellReports& message) {
     array.track_dwells += dwell.is_track_dwell ? 1 : 0;
     array.measurements += dwell.measurements.size();
   }
+}
+
+void RunSummary::add(const tws_msgs::RangeProfile& message) {
+  beAlive(message.header.stamp);
+  Staring& radar = staring_[message.radar];
+  ++radar.profiles;
+  radar.bins += message.amplitude.size();
 }
 
 void RunSummary::beAlive(ros::Time stamp) {
@@ -110,6 +118,7 @@ std::uint64_t RunSummary::plots() const {
   std::uint64_t plots = 0;
   for (const auto& [name, radar] : radars_) plots += radar.plots;
   for (const auto& [name, array] : arrays_) plots += array.measurements;
+  for (const auto& [name, radar] : staring_) plots += radar.profiles;
   return plots;
 }
 
@@ -131,8 +140,9 @@ void RunSummary::print(std::ostream& out, const std::vector<tws_runtime::Counter
   out << "simulated time " << oneDecimal(simulatedTime()) << " s";
   if (wall_time) out << ", wall time " << oneDecimal(*wall_time) << " s";
   out << '\n';
-  if (!radars_.empty() || arrays_.empty()) printRadars(out);
+  if (!radars_.empty() || (arrays_.empty() && staring_.empty())) printRadars(out);
   if (!arrays_.empty()) printArrays(out);
+  if (!staring_.empty()) printStaring(out);
   printTrackers(out);
   printCorrelator(out);
   std::vector<tws_runtime::CounterReading> counted;
@@ -157,6 +167,11 @@ void RunSummary::printArrays(std::ostream& out) const {
     printRow(out, name, array.periods, array.dwells, array.track_dwells, array.measurements,
              time > 0.0 ? oneDecimal(static_cast<double>(array.measurements) / time) : "-");
   }
+}
+
+void RunSummary::printStaring(std::ostream& out) const {
+  printRow(out, "range radar", "profiles", "bins");
+  for (const auto& [name, radar] : staring_) printRow(out, name, radar.profiles, radar.bins);
 }
 
 void RunSummary::printTrackers(std::ostream& out) const {

@@ -6,6 +6,7 @@
 #include <tws_msgs/CorrelatedTracks.h>
 #include <tws_msgs/Detections.h>
 #include <tws_msgs/DwellReports.h>
+#include <tws_msgs/RangeProfile.h>
 #include <tws_msgs/Tracks.h>
 #include <tws_runtime/counters.h>
 
@@ -27,6 +28,7 @@ class RunSummary {
 
   void add(const tws_msgs::Detections& message);
   void add(const tws_msgs::DwellReports& message);
+  void add(const tws_msgs::RangeProfile& message);
   void add(const tws_msgs::Tracks& message);
   void add(const tws_msgs::CorrelatedTracks& message);
   void add(const tws_msgs::ClutterMap& message);
@@ -35,7 +37,7 @@ class RunSummary {
 
   /// Data time from the first sensor message to the last [s]; 0 without any.
   double simulatedTime() const;
-  /// Of rotating radars, and measurements of arrays.
+  /// Of rotating radars, measurements of arrays, and range profiles.
   std::uint64_t plots() const;
   /// Tracks that have not been dropped: those of the correlator where there is one, else of all trackers.
   std::size_t livingTracks() const;
@@ -55,6 +57,10 @@ class RunSummary {
     std::uint64_t dwells = 0, track_dwells = 0;
     std::uint64_t measurements = 0;
   };
+  struct Staring {
+    std::uint64_t profiles = 0;
+    std::uint64_t bins = 0;
+  };
   struct Tracker {
     std::map<std::uint32_t, std::uint8_t> last_state;  ///< Of each track that ever was, by its uid.
     std::set<std::uint32_t> became_firm;
@@ -69,6 +75,7 @@ class RunSummary {
 
   void printRadars(std::ostream& out) const;
   void printArrays(std::ostream& out) const;
+  void printStaring(std::ostream& out) const;
   void printTrackers(std::ostream& out) const;
   void printCorrelator(std::ostream& out) const;
 
@@ -78,6 +85,7 @@ class RunSummary {
   ros::Time last_;
   std::map<std::string, Radar> radars_;
   std::map<std::string, Array> arrays_;
+  std::map<std::string, Staring> staring_;
   std::map<std::string, Tracker> trackers_;
   std::optional<Correlator> correlator_;
   std::map<std::string, std::map<std::string, std::uint64_t>> counters_;

@@ -25,6 +25,7 @@ int main(int argc, char** argv) {
     if (!input.secondary_radars.empty())
       std::cout << "\nsecondary_radars:=" << tws_launch::joined(input.secondary_radars);
     if (!input.array_radars.empty()) std::cout << "\narray_radars:=" << tws_launch::joined(input.array_radars);
+    if (!input.range_radars.empty()) std::cout << "\nrange_radars:=" << tws_launch::joined(input.range_radars);
     if (input.feeds_tracks) std::cout << "\nfed:=true";
     if (!input.windows.empty()) std::cout << "\nwindows:=" << input.windows;
     std::cout << "\nlength:=" << input.length << std::endl;

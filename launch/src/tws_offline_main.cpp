@@ -25,6 +25,7 @@ struct Options {
   std::string windows;
   std::string window_params;
   std::string frame_builder;
+  std::string range_params;
   std::optional<std::int64_t> seed;
   std::optional<double> duration;
 };
@@ -52,7 +53,9 @@ std::vector<tws_launch::NodeDescription> describe(const Options& options, const 
   if (!input.is_recording) {
     arguments.push_back("secondary_radars:=" + tws_launch::joined(input.secondary_radars));
     arguments.push_back("array_radars:=" + tws_launch::joined(input.array_radars));
+    arguments.push_back("range_radars:=" + tws_launch::joined(input.range_radars));
   }
+  if (!options.range_params.empty()) arguments.push_back("range_params:=" + options.range_params);
   if (input.feeds_tracks) arguments.emplace_back("fed:=true");
   if (!options.correlator.empty())
     arguments.push_back("correlator:=" + std::filesystem::absolute(options.correlator).string());
@@ -111,6 +114,9 @@ int main(int argc, char** argv) {
     app.add_option("--windows", options.windows, "the radar that the window tracker tracks, too");
     app.add_option("--window-params", options.window_params, "parameters of the window tracker: the path of a file")
         ->check(CLI::ExistingFile);
+    app.add_option("--range-params", options.range_params,
+                   "parameter set of the range-gate tracker: aircraft, aircraft_no_background, ship or the path of a "
+                   "file; default: by the name of the scenario or bag");
     app.add_option("--seed", options.seed, "of the random numbers, in place of the scenario's")->check(seedProblem);
     tws_runtime::addDuration(app, options.duration);
     if (const auto status = tws_runtime::parseCommandLine(app, argc, argv)) return *status;

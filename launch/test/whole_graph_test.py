@@ -17,8 +17,10 @@ import yaml
 SCENARIO = "full"
 DURATION = 30  # of data time [s]: long enough for firm tracks, coasts and drops
 RADARS = ["sps12", "sps39"]
-SENSOR_TOPICS = [f"/{radar}/{kind}" for radar in RADARS for kind in ("detections", "sector_marks")] + ["/ssr/plots", "/ssr/sector_marks", "/esa/dwell_reports"]
-TRACK_TOPICS = ["/adit/tracks", "/ssr/tracks", "/correlated/tracks", "/tws/tracks", "/esa/frames", "/esa/tracks", "/esa/track_database"]
+SENSOR_TOPICS = [f"/{radar}/{kind}" for radar in RADARS for kind in ("detections", "sector_marks")] + ["/ssr/plots", "/ssr/sector_marks", "/esa/dwell_reports",
+    "/mrs/range_profile"]
+TRACK_TOPICS = ["/adit/tracks", "/ssr/tracks", "/correlated/tracks", "/tws/tracks", "/esa/frames", "/esa/tracks", "/esa/track_database",
+                "/mrs/range_gate", "/mrs/tracks"]
 WINDOWS = "sps12"  # The radar of the window tracker.
 
 
@@ -32,7 +34,7 @@ def command(*words):
 
 def launch(file, record, **arguments):
     command("roslaunch", "--no-summary", "tws_launch", file, f"record:={record}", "rviz:=false", f"radars:={' '.join(RADARS)}",
-            "secondary_radars:=ssr", "array_radars:=esa", *(f"{name}:={value}" for name, value in arguments.items()))
+            "secondary_radars:=ssr", "array_radars:=esa", "range_radars:=mrs", *(f"{name}:={value}" for name, value in arguments.items()))
     return record
 
 
@@ -166,6 +168,20 @@ class WholeGraphTest(unittest.TestCase):
 
     def test_a_replay_at_recorded_speed_gives_the_same_tracks(self):
         self.check_same_tracks(launch("replay.launch", self.folder / "slow.bag", bag=self.live, rate=1, windows=WINDOWS), "replay")
+
+    def test_the_range_gate_follows_its_target_in_closed_loop(self):
+        """The visitor flies at 150 m/s: without commands it would have left the first gate after four seconds."""
+        with rosbag.Bag(str(self.live)) as bag:
+            profiles = [message for _, message, _ in bag.read_messages(["/mrs/range_profile"])]
+            gates = {message.header.stamp: message for _, message, _ in bag.read_messages(["/mrs/range_gate"])}
+        self.assertAlmostEqual(len(profiles), 25 * DURATION, delta=2)
+        self.assertLess(profiles[-1].range_min, profiles[0].range_min - 150 * 0.9 * (DURATION - 2))
+        locked = [gates[p.header.stamp].lock != 0 for p in profiles[25:] if p.header.stamp in gates]
+        self.assertGreater(len(locked), 20 * DURATION)
+        self.assertGreater(sum(locked) / len(locked), 0.95)
+        # The simulated radar obeys after its latency of 0.1 s, at the third profile.
+        for before, after in zip(profiles[:100], profiles[3:103]):
+            self.assertAlmostEqual(after.range_min, gates[before.header.stamp].range_min, delta=1.01)  # half a bin
 
     def test_a_replay_at_ten_times_the_speed_gives_the_same_tracks(self):
         self.check_same_tracks(launch("replay.launch", self.folder / "fast.bag", bag=self.live, rate=10, windows=WINDOWS), "fast replay")

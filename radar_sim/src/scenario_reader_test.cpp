@@ -174,6 +174,24 @@ TEST(ShippedScenarios, AllRun) {
   }
 }
 
+// Without a command the gate stays: the target must be in it long enough to be locked on.
+TEST(ShippedScenarios, RangeRadarsOpenTheirGateOnTheirTarget) {
+  for (const auto& [name, rcs] : {std::pair("full", 3.0), std::pair("mrs_aircraft", 3.0),
+                                  std::pair("mrs_aircraft_no_background", 3.0), std::pair("mrs_ship", 5000.0)}) {
+    Simulation simulation(loadScenario(std::string(SCENARIOS) + "/" + name + ".yaml"));
+    double power = 0.0;
+    for (int profiles = 0; profiles < 50;) {
+      const auto report = simulation.step();
+      const auto* range = std::get_if<RangeReport>(&report);
+      if (range == nullptr) continue;
+      ++profiles;
+      for (const float a : range->profile.amplitude) power += static_cast<double>(a) * static_cast<double>(a) / 50.0;
+    }
+    EXPECT_GT(power, 0.3 * rcs) << name;
+    EXPECT_LT(power, 3.0 * rcs) << name;
+  }
+}
+
 // The report's reason for two radars: they fade at different times. Cover is a chance of 0.8 on one scan. Without cover
 // over most of the picture, or with radars that fade together, the trackers' completeness would say nothing.
 TEST(ShippedScenarios, AditNominalCoversMostAircraftByOneRadarOrTheOther) {

@@ -21,6 +21,9 @@ class DampedRange {
   /// No measurement: the previous range is reused.
   void coast(double dt) { update(measured_, dt); }
 
+  /// Where the next measurement is looked for, dt [s] later: where the last one was.
+  double expected(double /*dt*/) const { return measured_; }
+
   double range() const { return smoothed_; }  ///< R_S [m]
   double rate() const { return rate_; }       ///< Of R_S [m/s].
   /// R_T, eq. (11): the same as R_S, for a time t_pred later.
@@ -40,6 +43,8 @@ class KalmanRange {
   void update(double measured, double dt);
   /// No measurement: the target goes on.
   void coast(double dt);
+
+  double expected(double dt) const { return predicted(dt); }
 
   double range() const { return state_.mean[0]; }
   double rate() const { return state_.mean[1]; }

@@ -20,8 +20,8 @@ struct RangeGateParams {
   double damping_time = 0.5;      ///< τ [s], > 0.
   double velocity_limit = 200.0;  ///< Greatest change of R_S in a second [m/s], > 0.
   double prediction_time = 0.1;   ///< t_pred [s], >= 0.
-  /// While locked, only windows within this distance of the last measured range are looked at [m]; infinite: all in
-  /// the gate, as in the report.
+  /// While locked, only windows within this distance of the last measured range are looked at, of the predicted one
+  /// with the Kalman predictor [m]; infinite: all in the gate, as in the report.
   double jump_limit = std::numeric_limits<double>::infinity();
 
   // Kalman predictor.

@@ -57,12 +57,15 @@ void RangeGateTracker::check(const RangeProfile& profile) const {
 
 BinSpan RangeGateTracker::spanToLookAt(const RangeProfile& profile, std::size_t bins) const {
   if (lock_ == Lock::kSearching || std::isinf(params_.jump_limit)) return {};
-  const double reach = params_.jump_limit + params_.velocity_limit * (profile.time - last_seen_);
-  const auto firstBin = [&](double centre) {
-    const double bin = (centre - profile.range_min) / profile.bin_size - 0.5 * static_cast<double>(bins);
+  const double dt = profile.time - *time_;
+  const double centre = std::visit([dt](const auto& filter) { return filter.expected(dt); }, filter_);
+  const double unseen = params_.predictor == Predictor::kKalman ? *time_ - last_seen_ : profile.time - last_seen_;
+  const double reach = params_.jump_limit + params_.velocity_limit * unseen;
+  const auto firstBin = [&](double range) {
+    const double bin = (range - profile.range_min) / profile.bin_size - 0.5 * static_cast<double>(bins);
     return static_cast<std::size_t>(std::clamp(bin, 0.0, static_cast<double>(profile.amplitude.size())));
   };
-  return {firstBin(last_measured_ - reach), firstBin(last_measured_ + reach)};
+  return {firstBin(centre - reach), firstBin(centre + reach)};
 }
 
 // The report's threshold. A range outside its own window, which a background of mere noise can lead to, is none either.

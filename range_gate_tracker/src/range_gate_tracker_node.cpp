@@ -61,6 +61,7 @@ class RangeGateTrackerNode::Impl {
     tracker_.emplace(params_.tracker);
     last_.reset();
     target_.reset();
+    next_profile_.reset();
     next_tracks_ = -std::numeric_limits<double>::infinity();
   }
 

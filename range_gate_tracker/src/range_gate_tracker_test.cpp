@@ -168,6 +168,26 @@ TEST(RangeGateTracker, StaysWithItsTargetBesideABrighterOneOnlyWithAJumpLimit) {
   }
 }
 
+// The other one comes the other way, twice as bright: whoever follows the brightest echo turns round with it.
+TEST(RangeGateTracker, PassesAnInterfererWithTheKalmanPredictorAndAJumpLimit) {
+  RangeGateParams chosen = params();
+  chosen.predictor = Predictor::kKalman;
+  chosen.jump_limit = 30.0;
+  chosen.acceleration_density = 1.0;
+  Radar radar(chosen);
+  radar.run(0.1);
+  radar.run(5.0, 150.0);
+  radar.other = radar.target + 900.0;
+  radar.other_power = 2.0 * radar.power;
+  GateReport report;
+  for (int i = 0; i < 300; ++i) {
+    radar.other -= 150.0 * kPeriod;
+    report = radar.run(kPeriod, 150.0);
+  }
+  EXPECT_NEAR(report.smoothed, radar.target, 5.0);
+  EXPECT_LT(radar.other, radar.target - 800.0);
+}
+
 TEST(RangeGateTracker, PredictsAheadWithTheKalmanPredictor) {
   RangeGateParams chosen = params();
   chosen.predictor = Predictor::kKalman;

@@ -3,6 +3,7 @@
 import importlib.machinery
 import importlib.util
 import math
+import pathlib
 import subprocess
 import sys
 import unittest
@@ -13,6 +14,17 @@ loader = importlib.machinery.SourceFileLoader("papers", PAPERS)
 papers = importlib.util.module_from_spec(importlib.util.spec_from_loader("papers", loader))
 loader.exec_module(papers)
 Sample, verdict = papers.Sample, papers.verdict
+
+
+sys.path.insert(0, str(pathlib.Path(PAPERS).parent))
+import papers_mrs
+
+
+class MrsTest(unittest.TestCase):
+    def test_truth_is_interpolated_between_its_messages_and_carried_on_behind_them(self):
+        times, ranges = [10.0, 10.5, 11.0], [100.0, 110.0, 130.0]
+        for time, expected in ((10.0, 100.0), (10.25, 105.0), (10.75, 120.0), (11.25, 140.0)):
+            self.assertAlmostEqual(papers_mrs.interpolated(times, ranges, time), expected)
 
 
 class PapersTest(unittest.TestCase):
