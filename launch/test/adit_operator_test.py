@@ -13,7 +13,7 @@ import rosunit
 from tws_msgs.msg import OperatorRequest, Tracks
 from tws_msgs.srv import DropTrack, InitiateTrack, InitiateTrackRequest, OperatorCommand, OperatorCommandRequest
 
-from whole_graph_test import RADARS, command, late, launch, offline, tracks
+from whole_graph_test import RADARS, command, late, offline, tracks
 
 DURATION = 60  # of data time [s]
 NAN = float("nan")
@@ -122,7 +122,10 @@ class OperatorTest(unittest.TestCase):
         self.assertEqual(asked[0], asked[1])
 
     def test_a_replay_repeats_what_the_operator_did(self):
-        self.check_same(launch("replay.launch", self.folder / "replay.bag", bag=self.live, rate=5))
+        bag = self.folder / "replay.bag"
+        command("roslaunch", "--no-summary", "tws_launch", "replay.launch", f"bag:={self.live}", f"record:={bag}", "rviz:=false", "rate:=5",
+                f"radars:={' '.join(RADARS)}")
+        self.check_same(bag)
 
     def test_an_offline_run_of_the_bag_repeats_what_the_operator_did(self):
         self.check_same(offline(self.live, self.folder / "offline"))
