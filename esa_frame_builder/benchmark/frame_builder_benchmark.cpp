@@ -18,8 +18,9 @@ std::vector<Dwell> raster(std::size_t dwells, std::size_t measurements) {
   std::vector<Dwell> result(dwells);
   for (std::size_t k = 0; k < dwells; ++k) {
     Dwell& dwell = result[k];
-    dwell.u = 0.7 * kBeamwidth * static_cast<double>(k % 10);
-    dwell.v = 0.7 * kBeamwidth * static_cast<double>(k / 10);
+    const std::size_t column = k % 10, row = k / 10;
+    dwell.u = 0.7 * kBeamwidth * static_cast<double>(column);
+    dwell.v = 0.7 * kBeamwidth * static_cast<double>(row);
     dwell.beamwidth_u = dwell.beamwidth_v = kBeamwidth;
     dwell.range_max = 100e3;
     dwell.measurements.resize(measurements);

@@ -33,7 +33,7 @@ class MergedEchoTest : public testing::Test {
     return mergedEcho(track, 0, tracks_, views_, kResolution);
   }
 
-  const ArrayPose pose_;
+  const ArrayPose pose_{};
   std::vector<FrameTrack> all_;
   std::vector<const FrameTrack*> tracks_;
   std::vector<FrameView> views_;
