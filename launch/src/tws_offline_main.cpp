@@ -26,6 +26,7 @@ struct Options {
   std::string window_params;
   std::string frame_builder;
   std::string range_params;
+  std::string mfa_stub;
   std::optional<std::int64_t> seed;
   std::optional<double> duration;
 };
@@ -65,6 +66,8 @@ std::vector<tws_launch::NodeDescription> describe(const Options& options, const 
     arguments.push_back("window_params:=" + std::filesystem::absolute(options.window_params).string());
   if (!options.frame_builder.empty())
     arguments.push_back("frame_builder:=" + std::filesystem::absolute(options.frame_builder).string());
+  if (!options.mfa_stub.empty())
+    arguments.push_back("mfa_stub:=" + std::filesystem::absolute(options.mfa_stub).string());
   if (options.seed) arguments.push_back("seed:=" + std::to_string(*options.seed));
   return tws_launch::describeGraph(launch_file, arguments);
 }
@@ -109,6 +112,7 @@ int main(int argc, char** argv) {
                    "parameter set of the ADIT tracker: default, nrl7952 or the path of a file");
     app.add_option("--frame-builder", options.frame_builder,
                    "parameters of the frame builder, in place of its own file");
+    app.add_option("--mfa-stub", options.mfa_stub, "parameters of the tracker of its frames, in place of its own file");
     app.add_option("--correlator", options.correlator, "parameters of the correlator, in place of its own file")
         ->check(CLI::ExistingFile);
     app.add_option("--windows", options.windows, "the radar that the window tracker tracks, too");

@@ -29,9 +29,9 @@ constexpr double kBackgroundPeriod = 2.0;  // RViz forgets all markers when it i
 
 struct Params {
   std::string radar = "esa";
-  double half_width = 0.55, half_height = 0.3;  // of the picture, in u and v
-  double persistence = 3.0;                     // [s]
-  double redraw_rate = 10.0;                    // [Hz of wall time]
+  double half_width = 0.55, low = -0.27, high = 0.03;  // of the picture, in u and v
+  double persistence = 3.0;                            // [s]
+  double redraw_rate = 10.0;                           // [Hz of wall time]
 };
 
 Params readParams(tws_runtime::Bus& bus) {
@@ -39,7 +39,9 @@ Params readParams(tws_runtime::Bus& bus) {
   Params params;
   reader.text("radar", params.radar);
   reader.number("half_width", params.half_width, 0.05, 1.0);
-  reader.number("half_height", params.half_height, 0.05, 1.0);
+  reader.number("low", params.low, -1.0, 1.0);
+  reader.number("high", params.high, -1.0, 1.0);
+  if (params.high <= params.low) reader.fail("high", "is not greater than low");
   reader.number("persistence", params.persistence, 0.1, 60.0);
   reader.number("redraw_rate", params.redraw_rate, 1.0, 60.0);
   reader.done();
@@ -49,8 +51,16 @@ Params readParams(tws_runtime::Bus& bus) {
 bool isGood(double value) { return std::isfinite(value); }
 
 DwellMark dwellMark(const tws_msgs::DwellReport& dwell) {
-  DwellMark mark{toSeconds(dwell.stamp), dwell.dwell, dwell.is_track_dwell != 0, dwell.u, dwell.v, dwell.beamwidth_u,
-                 dwell.beamwidth_v,      {}};
+  DwellMark mark;
+  mark.time = toSeconds(dwell.stamp);
+  mark.number = dwell.dwell;
+  mark.on_track = dwell.is_track_dwell != 0;
+  mark.u = dwell.u;
+  mark.v = dwell.v;
+  mark.beamwidth_u = dwell.beamwidth_u;
+  mark.beamwidth_v = dwell.beamwidth_v;
+  mark.group = dwell.group;
+  mark.group_dwells = dwell.expected_group_dwells;
   for (const tws_msgs::RuvMeasurement& m : dwell.measurements)
     if (isGood(m.u) && isGood(m.v)) mark.blips.push_back({m.range, m.u, m.v});
   return mark;
@@ -75,7 +85,7 @@ class SineSpaceNode::Impl {
   }
 
  private:
-  SineSpacePicture makePicture() const { return {params_.half_width, params_.half_height, params_.persistence}; }
+  SineSpacePicture makePicture() const { return {params_.half_width, params_.low, params_.high, params_.persistence}; }
 
   void hear(const tws_msgs::DwellReports& message) {
     watchTime();

@@ -25,6 +25,8 @@ struct DwellMark {
   double u = 0.0, v = 0.0;                      // beam point
   double beamwidth_u = 0.0, beamwidth_v = 0.0;  // full width at half power
   std::vector<SineSpaceBlip> blips;
+  std::uint32_t group = 0;         // sequence of overlapping beams that it is part of; 0: none
+  std::uint32_t group_dwells = 0;  // beams of that sequence
 };
 
 /// A closed frame: its dwells, with the blips that selection kept.
@@ -43,13 +45,14 @@ struct SineSpaceTrack {
 /// What an electronically scanned array does, as the array sees it: the plane of sine space, u to the right, v up.
 /// Beams as they point, frames as they close, what was kept and what selection discarded, tracks. Drawn at any instant
 /// of data time [s]; one unit of sine space is kMetresPerUnit on the screen.
+/// Above it an inset magnifies the sequence of overlapping beams that has the most of them.
 class SineSpacePicture {
  public:
   static constexpr double kMetresPerUnit = 100e3;
 
-  /// The picture shows |u| up to `half_width` and |v| up to `half_height`, in (0, 1]; dwells and blips fade within
-  /// `persistence` [s], > 0.
-  SineSpacePicture(double half_width, double half_height, double persistence);
+  /// The picture shows |u| up to `half_width`, in (0, 1], and v from `low` to `high`, low < high; dwells and blips fade
+  /// within `persistence` [s], > 0.
+  SineSpacePicture(double half_width, double low, double high, double persistence);
 
   void hear(DwellMark dwell);
   /// Blips of its dwells that it has not kept are taken for discarded.
@@ -72,13 +75,35 @@ class SineSpacePicture {
     bool kept;
   };
 
+  /// A part of sine space and its place on the screen.
+  struct View {
+    Eigen::Vector2d centre;  // in sine space
+    Eigen::Vector2d half;    // half width and height in sine space
+    Eigen::Vector2d place;   // of the centre on the screen [units of sine space at magnification 1]
+    double magnification;
+    bool shows(const Eigen::Vector2d& direction) const;
+    Eigen::Vector2d at(const Eigen::Vector2d& direction) const;  // on the screen [m]
+  };
+  std::vector<View> views() const;
+  void follow(const DwellMark& dwell);
   double freshness(double since, double time) const;
   void forgetOld(double time);
-  void addContour(Drawing& drawing, const DwellMark& dwell, double width, const Rgba& color) const;
+  void addContour(Drawing& drawing, const View& view, const DwellMark& dwell, double width, const Rgba& color) const;
+  void addGrid(Drawing& drawing) const;
 
-  double half_width_, half_height_, persistence_;
+  /// The sequence of beams in the inset.
+  struct Sequence {
+    std::uint32_t group = 0, dwells = 0;
+    double time = 0.0;
+    Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+    int heard = 0;
+  };
+
+  double half_width_, low_, high_, persistence_;
   PpiStyle style_;
-  std::deque<DwellMark> dwells_;  // in order of hearing
+  Sequence sequence_;                               // of which dwells come in
+  Eigen::Vector2d zoom_ = Eigen::Vector2d::Zero();  // where the inset looks
+  std::deque<DwellMark> dwells_;                    // in order of hearing
   std::deque<AgedBlip> blips_;
   FrameMark frame_;  // the newest closed one
   std::size_t kept_ = 0, discarded_ = 0;

@@ -8,10 +8,10 @@ namespace tws_rviz {
 namespace {
 
 DwellMark dwell(double time, std::uint32_t number, std::vector<SineSpaceBlip> blips = {}) {
-  return {time, number, true, 0.1, -0.2, 0.04, 0.02, std::move(blips)};
+  return {time, number, true, 0.1, -0.2, 0.04, 0.02, std::move(blips), 0, 0};
 }
 
-SineSpacePicture picture() { return {0.5, 0.3, 2.0}; }
+SineSpacePicture picture() { return {0.5, -0.3, 0.1, 2.0}; }
 
 /// Extent of what is drawn, in units of sine space.
 struct Extent {
@@ -76,8 +76,24 @@ TEST(SineSpacePicture, LabelsFirmTracksWithTheirNumbers) {
   EXPECT_EQ(tracks.labels[0].text, "42");
 }
 
-// Grid lines every 0.1: 11 by 7, and the names of the axes.
-TEST(SineSpacePicture, HasAGridWithNumbers) { EXPECT_EQ(picture().background().labels.size(), 11u + 7u + 2u); }
+// Grid lines every 0.1: 11 by 5, the names of the axes, and what the inset is.
+TEST(SineSpacePicture, HasAGridWithNumbers) { EXPECT_EQ(picture().background().labels.size(), 11u + 5u + 2u + 1u); }
+
+// Closely spaced objects are what the array is for, and too close for the picture as a whole.
+TEST(SineSpacePicture, MagnifiesTheSequenceOfMostBeamsInTheInset) {
+  SineSpacePicture shown = picture();
+  DwellMark one = dwell(10.0, 1), two = dwell(10.01, 2);
+  one.group = two.group = 5;
+  one.group_dwells = two.group_dwells = 2;
+  two.u = 0.12;
+  shown.hear(one);
+  shown.hear(two);
+  shown.hearTracks({{42, true, 0.11, -0.2}, {43, true, 0.12, -0.2}, {44, true, -0.4, -0.2}});
+  const Drawing tracks = shown.tracks();
+  ASSERT_EQ(tracks.labels.size(), 3u);  // 44 in the picture, the others in the inset, six times as far apart:
+  EXPECT_EQ(tracks.labels[0].text, "44");
+  EXPECT_NEAR(tracks.labels[2].centre.x() - tracks.labels[1].centre.x(), 0.06 * SineSpacePicture::kMetresPerUnit, 1e-6);
+}
 
 }  // namespace
 }  // namespace tws_rviz
