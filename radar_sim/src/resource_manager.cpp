@@ -39,6 +39,7 @@ std::vector<BeamPoint> coveringBeams(const ArrayParams& array, const std::vector
     needed.insert(static_cast<std::size_t>(std::min_element(grid.begin(), grid.end(), isNearer) - grid.begin()));
   }
   std::vector<BeamPoint> beams;
+  beams.reserve(needed.size());
   for (const std::size_t beam : needed) beams.push_back(grid[beam]);
   return beams;
 }
@@ -128,6 +129,7 @@ std::vector<PlannedDwell> ResourceManager::sequence(const Visit& visit, const st
   const std::uint32_t group = beams.size() > 1 ? ++groups_ : PlannedDwell::kNoGroup;
   const auto count = static_cast<std::uint32_t>(beams.size() > 1 ? beams.size() : 0);
   std::vector<PlannedDwell> dwells;
+  dwells.reserve(beams.size());
   for (const BeamPoint& beam : beams) dwells.push_back({beam, true, {}, group, count});
   return dwells;
 }

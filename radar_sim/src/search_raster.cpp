@@ -10,6 +10,7 @@ std::vector<double> evenCentres(double from, double to, double widest) {
   // Rounding must not add an interval.
   const int count = std::max(1, static_cast<int>(std::ceil((to - from) / widest - 1e-9)));
   std::vector<double> centres;
+  centres.reserve(static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i) centres.push_back(from + (to - from) * (i + 0.5) / count);
   return centres;
 }

@@ -13,7 +13,7 @@ void Beam::hear(const tws::RadarSector& sector) {
   while (turn_.back().running - turn_.front().running > tws::kSectors) turn_.pop_front();
   const auto sectors = static_cast<double>(turn_.back().running - turn_.front().running);
   // Less than half a turn says little, and a radar that stood still says nothing.
-  if (sectors < tws::kSectors / 2 || turn_.back().time <= turn_.front().time) return;
+  if (2.0 * sectors < tws::kSectors || turn_.back().time <= turn_.front().time) return;
   period_ = (turn_.back().time - turn_.front().time) * tws::kSectors / sectors;
 }
 
