@@ -97,27 +97,26 @@ class FaultsTest(unittest.TestCase):
         # Ten firm tracks: one scan of the slower radar more, for the beam may be anywhere.
         self.assertLess(first_time(again, Track.FIRM, 10), first_time(start, Track.FIRM, 10) + 8.0)
 
-    def test_a_tracker_that_is_held_up_skips_sectors_says_so_and_keeps_its_tracks(self):
+    # A tracker that stood still works off in an instant what its sockets kept for it; it skips only what it cannot. (The tracker's
+    # own tests show the skipping.)
+    def test_a_tracker_that_is_held_up_catches_up_and_keeps_its_tracks(self):
         with Run("one_aircraft", 1, 45) as run:
             run.wait(lambda: any(t.state == t.FIRM for m in run.tracks for t in m.tracks) and run.data_time() > 26)
             before = {t.uid for m in run.tracks[-300:] for t in m.tracks if t.state == t.FIRM}
             tracker = run.tracker()
             os.kill(tracker, signal.SIGSTOP)
             time.sleep(4)
+            held = run.data_time()
             os.kill(tracker, signal.SIGCONT)
             sectors = len(run.tracks)
-            run.wait(lambda: sum(s.skipped_sectors for s in run.statuses) > 0)
-            run.wait(lambda: run.data_time() > 42)
+            run.wait(lambda: run.data_time() > held + 8)
             messages = list(run.tracks)
-            said = set(run.said)
-        # 4 s are 43 sectors of the faster radar; the method needs four of them.
-        self.assertGreater(sum(s.skipped_sectors for s in run.statuses), 20)
-        self.assertTrue(any(line.startswith("skipped sectors: ") and line != "skipped sectors: 0" for line in said), said)
+            run.wait(lambda: run.statuses and run.statuses[-1].header.stamp > messages[sectors].header.stamp)
         self.assertEqual([m.sequence for m in messages], list(range(messages[0].sequence, messages[0].sequence + len(messages))))
         after = {t.uid for m in messages[sectors:] for t in m.tracks if t.state == t.FIRM}
         self.assertTrue(before, "no firm track to be kept")
         self.assertTrue(before & after, "the aircraft's track is lost")
-        self.assertLessEqual(max(run.statuses[-1].sector_lag), 6, "it does not catch up")
+        self.assertGreater(messages[-1].header.stamp.to_sec() - messages[sectors].header.stamp.to_sec(), 4.0, "it does not catch up")
 
     def test_a_dead_radar_is_said_to_be_silent_and_resumes(self):
         with tempfile.TemporaryDirectory() as folder:
