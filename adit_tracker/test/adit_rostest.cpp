@@ -69,15 +69,22 @@ class AditRostest : public testing::Test {
     tf2_msgs::TFMessage both;
     both.transforms = {siteOf("sps12"), siteOf("sps39")};
     sites.publish(both);
-    ASSERT_TRUE(waitFor([&] {
+    const bool is_there = waitFor([&] {
       for (const Radar& radar : radars_) {
         if (radar.detections.getNumSubscribers() == 0 || radar.marks.getNumSubscribers() == 0) return false;
       }
       return tracks.getNumPublishers() > 0 && clutter.getNumPublishers() > 0;
-    })) << "the node is not there";
+    });
+    if (!is_there) {
+      problem_ = "the node is not there";
+      return;
+    }
     for (Radar& radar : radars_) publishMark(radar, 0);
     fly();
   }
+
+  // What fails before the first test would only skip all tests.
+  void SetUp() override { ASSERT_EQ(problem_, ""); }
 
   static void TearDownTestSuite() {
     subscribers_.clear();
@@ -92,10 +99,14 @@ class AditRostest : public testing::Test {
       if (next.time(next.running) > kStart + 120.0) break;
       publishSector(next);
       // Data time must not run ahead of the network: the node answers five sectors of each radar later.
-      ASSERT_TRUE(waitFor([&] { return heard_.size() + 15 >= radars_[0].running + radars_[1].running; }))
-          << "no answer after " << heard_.size() << " sectors";
+      if (!waitFor([&] { return heard_.size() + 15 >= radars_[0].running + radars_[1].running; })) {
+        problem_ = "no answer after " + std::to_string(heard_.size()) + " of " +
+                   std::to_string(radars_[0].running + radars_[1].running) + " sectors";
+        return;
+      }
     }
-    EXPECT_TRUE(waitFor([] { return heard_.size() + 10 >= radars_[0].running + radars_[1].running; }));
+    if (!waitFor([] { return heard_.size() + 10 >= radars_[0].running + radars_[1].running; }))
+      problem_ = "the last sectors are not answered";
   }
 
   static void publishSector(Radar& radar) {
@@ -158,12 +169,14 @@ class AditRostest : public testing::Test {
     return words;
   }
 
+  static std::string problem_;
   static std::vector<ros::Subscriber> subscribers_;
   static std::vector<Radar> radars_;
   static std::vector<tws_msgs::Tracks> heard_;
   static tws_msgs::ClutterMap clutter_;
 };
 std::vector<AditRostest::Radar> AditRostest::radars_;
+std::string AditRostest::problem_;
 std::vector<ros::Subscriber> AditRostest::subscribers_;
 std::vector<tws_msgs::Tracks> AditRostest::heard_;
 tws_msgs::ClutterMap AditRostest::clutter_;

@@ -65,12 +65,13 @@ def publications(bag):
 
 
 def shuffled(source, target, seed):
-    """A copy in which each sensor topic arrives late by an amount of its own, below the trackers' limit of a second."""
+    """A copy in which each sensor topic arrives late by an amount of its own, below the trackers' limit of a second; however late it
+    was in the live run on a busy machine."""
     delays = random.Random(seed)
     delay = {topic: rospy.Duration(delays.uniform(0.0, 0.4)) for topic in SENSOR_TOPICS}
     with rosbag.Bag(str(source)) as recorded, rosbag.Bag(str(target), "w") as out:
         for topic, message, time in recorded.read_messages(SENSOR_TOPICS + ["/tf_static"]):
-            out.write(topic, message, time + delay.get(topic, rospy.Duration()))
+            out.write(topic, message, message.header.stamp + delay[topic] if topic in delay else time)
     return target
 
 
