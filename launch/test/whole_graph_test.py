@@ -79,7 +79,7 @@ class WholeGraphTest(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         cls.folder = pathlib.Path(tempfile.mkdtemp(prefix="whole_graph_"))
-        cls.live = launch("run.launch", cls.folder / "live.bag", scenario=SCENARIO, rate=10, duration=DURATION)
+        cls.live = launch("run.launch", cls.folder / "live.bag", scenario=SCENARIO, rate=5, duration=DURATION)
 
     @classmethod
     def tearDownClass(cls):
