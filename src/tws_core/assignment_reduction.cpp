@@ -62,16 +62,10 @@ void AssignmentSolver::reduceColumns() {
   std::fill(done_.begin(), done_.end(), 0);
 }
 
-/// Lets the price of the row's only column fall as far as the row's second choice allows.
+/// Lets the price of the row's only column, its cheapest, fall as far as the row's second choice allows.
 void AssignmentSolver::transferReduction(std::size_t row) {
-  const double* costs = dense_ + row * columns_;
-  const std::size_t own = static_cast<std::size_t>(column_of_[row]);
-  double second = kForbidden;
-  for (std::size_t column = 0; column < columns_; ++column) {
-    const double cost = costs[column] - price_[column];
-    if (cost < second && column != own) second = cost;
-  }
-  if (second < kForbidden) price_[own] -= second - (costs[own] - price_[own]);
+  const Cheapest choice = cheapest(Layout::kDense, row);
+  price_[column_of_[row]] -= choice.second - choice.first;
 }
 
 // Two rounds are what Jonker and Volgenant found to pay.
