@@ -98,12 +98,15 @@ Target makeTarget(const RandomGroup& group, const std::string& name, const Life&
 std::vector<Target> drawGroup(const RandomGroup& group, std::uint64_t seed, double origin_altitude, double start,
                               double end) {
   std::vector<Target> targets;
+  start = std::max(start, group.life.start);
+  end = std::min(end, group.life.end);
   for (long slot = 0; slot < group.count; ++slot) {
     const std::string name = group.name + "/" + std::to_string(slot);
     double time = start;
     for (std::uint64_t life_index = 0; time < end; ++life_index) {
       RandomStream random(seed, name, life_index);
-      const Life life = drawLife(group, life_index == 0, origin_altitude, time, random);
+      Life life = drawLife(group, life_index == 0, origin_altitude, time, random);
+      life.end = std::min(life.end, group.life.end);
       const std::string full_name = group.rebirth ? name + "/" + std::to_string(life_index) : name;
       targets.push_back(makeTarget(group, full_name, life, origin_altitude, random));
       targets.back().transponder = drawTransponder(group.transponders, seed, full_name);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -39,6 +40,8 @@ struct RandomGroup {
   bool rebirth = false;
   /// Paths that come closer to the centre are drawn again [m].
   double keep_out = 0.0;
+  /// When the group is there [s of data time].
+  TimeSpan life{-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
 };
 
 /// The group's targets that live within [start, end] [s of data time]. Each slot and life has its own random stream: a

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <set>
 
 #include <tws_core/units.h>
@@ -85,6 +86,24 @@ TEST(RandomGroup, DiffersFromSeedToSeedAndNamesEachTargetOnce) {
   EXPECT_NE(one[0].trajectory->at(1000.0).position, two[0].trajectory->at(1000.0).position);
   std::set<std::string> names;
   for (const Target& target : one) EXPECT_TRUE(names.insert(target.name).second) << target.name;
+}
+
+// If this fails, clutter that should come and go stays, or is not there.
+TEST(RandomGroup, IsThereDuringItsLifeOnly) {
+  for (const bool rebirth : {true, false}) {
+    RandomGroup group = traffic(10);
+    group.rebirth = rebirth;
+    group.life = {1100.0, 1240.0};
+    const auto targets = drawGroup(group, 4, 0.0, 1000.0, 1600.0);
+    const auto alive = [&](double time) {
+      return std::count_if(targets.begin(), targets.end(),
+                           [&](const Target& t) { return t.trajectory->existsAt(time); });
+    };
+    EXPECT_EQ(alive(1099.9), 0);
+    EXPECT_EQ(alive(1100.1), 10);
+    EXPECT_EQ(alive(1239.9), 10);
+    EXPECT_EQ(alive(1240.1), 0);
+  }
 }
 
 TEST(RandomGroup, RefusesAKeepOutThatNothingStaysOutOf) {

@@ -46,8 +46,9 @@ targets:
   - {name: alpha, east_m: 1000, north_m: 2000, height_m: 3000, course_deg: 90, speed_kn: 400, rcs_m2: 7, swerling: 3, start_s: 10, end_s: 60}
 clutter:
   - {name: rock, range_m: 20000, azimuth_deg: 90, detection_probability: 0.5}
+  - {name: wreck, range_m: 30000, azimuth_deg: 90, start_s: 5, end_s: 25}
 random_slow_movers:
-  - {name: boats, count: 3, speed_kn: [10, 20]}
+  - {name: boats, count: 3, speed_kn: [10, 20], start_s: 15}
 faults:
   - {type: outage, radar: sps39, from_s: 20, to_s: 30}
 )");
@@ -69,7 +70,11 @@ faults:
   EXPECT_EQ(alpha.trajectory->spans()[0].end, 560.0);
   EXPECT_NEAR(alpha.trajectory->at(520.0).position.x(), 1000.0 + 10.0 * 400.0 * 0.514444, 0.01);
   EXPECT_NEAR(scenario.targets.at(1).trajectory->at(500.0).position.x(), 20000.0, 1e-6);
+  EXPECT_FALSE(scenario.targets.at(2).trajectory->existsAt(504.0));
+  EXPECT_TRUE(scenario.targets.at(2).trajectory->existsAt(505.5));
+  EXPECT_FALSE(scenario.targets.at(2).trajectory->existsAt(526.0));
   EXPECT_NEAR(scenario.groups.at(0).speed.greatest, 10.2889, 1e-3);
+  EXPECT_EQ(scenario.groups.at(0).life.start, 515.0);
   EXPECT_EQ(scenario.faults.at(0).from, 520.0);
 }
 
@@ -136,6 +141,8 @@ TEST_F(ScenarioFile, IsRefusedForAWrongTarget) {
   expectComplaint("targets:\n  - {name: a, east_m: 0, north_m: 0}\n  - {name: a, east_m: 0, north_m: 0}\n", 3,
                   "used twice");
   expectComplaint("clutter:\n  - {name: a, east_m: 0, north_m: 0, speed_mps: 4}\n", 2, "not a known key");
+  expectComplaint("clutter:\n  - {name: a, east_m: 0, north_m: 0, start_s: 4, end_s: 3}\n", 2,
+                  "not later than start_s");
 }
 
 TEST_F(ScenarioFile, IsRefusedForAWrongGroupOrFault) {

@@ -193,10 +193,11 @@ Target readClutterPoint(ParameterReader& reader, const ReadingContext& context) 
   target.reflection = defaultReflection(target.kind);
   readReflection(reader, target.reflection, false);
   PathStart start;
-  start.time = context.start_time;
+  const TimeSpan life = readLife(reader, context);
+  start.time = life.start;
   start.position = readPlace(reader, context);
   reader.number("height_m", start.height, 0.0, kGreatestHeight);
-  target.trajectory = std::make_shared<FlightPath>(start, std::vector<Leg>{}, context.map.origin().altitude);
+  target.trajectory = std::make_shared<FlightPath>(start, std::vector<Leg>{}, context.map.origin().altitude, life.end);
   reader.done();
   return target;
 }
@@ -212,6 +213,7 @@ RandomGroup readGroup(ParameterReader& reader, TargetKind kind, const ReadingCon
   readInterval(reader, "range_m", group.range, 1.0, 0.0, kFarthest / 10.0);
   readInterval(reader, "height_m", group.height, 1.0, 0.0, kGreatestHeight);
   readReflection(reader, group.reflection, false);
+  group.life = readLife(reader, context);
   if (kind != TargetKind::kClutter) readGroupMotion(reader, group);
   if (kind == TargetKind::kAircraft) readInterval(reader, "rcs_m2", group.rcs, 1.0, 1e-6, 1e7);
   if (kind != TargetKind::kClutter) readTransponderShares(reader, group.transponders);
