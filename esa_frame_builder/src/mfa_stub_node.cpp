@@ -4,6 +4,7 @@
 #include <tws_msgs/TrackDatabase.h>
 #include <tws_msgs/Tracks.h>
 #include <tws_runtime/conversions.h>
+#include <tws_runtime/sites.h>
 
 #include <deque>
 #include <optional>
@@ -37,15 +38,6 @@ NodeParams readNodeParams(Bus& bus) {
   reader.done();
   if (params.radar.empty()) reader.fail("radar", "must not be empty");
   return params;
-}
-
-std::optional<ArrayPose> findPose(const tf2::BufferCore& transforms, const std::string& frame, const std::string& array,
-                                  std::string& why) {
-  if (!transforms.canTransform(frame, array, ros::Time(0), &why)) return std::nullopt;
-  const geometry_msgs::Transform transform = transforms.lookupTransform(frame, array, ros::Time(0)).transform;
-  const auto& r = transform.rotation;
-  const auto& t = transform.translation;
-  return ArrayPose{{t.x, t.y, t.z}, Eigen::Quaterniond(r.w, r.x, r.y, r.z).normalized().toRotationMatrix()};
 }
 
 // Heartbeats that wait for the array's pose.
@@ -103,13 +95,13 @@ class MfaStubNode::Impl {
   /// False: wait for the array's pose.
   bool findPose(const tws_msgs::Frame& message) {
     std::string why;
-    pose_ = esa_frame_builder::findPose(bus_.transforms(), params_.frame, message.header.frame_id, why);
-    if (!pose_ && waiting_.size() <= kMostWaiting) return false;
-    if (!pose_) {
+    const auto pose = tws_runtime::findPose(bus_.transforms(), params_.frame, message.header.frame_id, why);
+    if (!pose && waiting_.size() <= kMostWaiting) return false;
+    if (!pose) {
       bus_.counter("unknown poses")
           .add("no transform from " + message.header.frame_id + " to " + params_.frame + ": " + why);
-      pose_ = ArrayPose{};
     }
+    pose_ = pose ? ArrayPose{pose->translation(), pose->linear()} : ArrayPose{};
     begin();
     return true;
   }

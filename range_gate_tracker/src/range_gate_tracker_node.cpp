@@ -4,6 +4,7 @@
 #include <tws_msgs/RangeGate.h>
 #include <tws_msgs/RangeProfile.h>
 #include <tws_msgs/Tracks.h>
+#include <tws_runtime/sites.h>
 
 #include <deque>
 #include <limits>
@@ -151,6 +152,13 @@ class RangeGateTrackerNode::Impl {
     return word;
   }
 
+  /// Tracks wait until the radar's site is known; without one their places stay unknown.
+  std::optional<tws_runtime::Site> awaitSite(const std::string& radar_frame) {
+    constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+    return tws_runtime::awaitSite(bus_, params_.frame, radar_frame, waiting_.size() <= kMostWaiting,
+                                  {kUnknown, kUnknown, kUnknown, kUnknown});
+  }
+
   void publish(const tws_msgs::RangeProfile& message, tws_msgs::Tracks& words) {
     next_tracks_ = tws_runtime::toSeconds(message.header.stamp) + params_.track_period;
     words.header.stamp = message.header.stamp;
@@ -158,25 +166,13 @@ class RangeGateTrackerNode::Impl {
     words.tracker = bus_.name();
     words.sequence = sequence_++;
     waiting_.push_back(words);
-    if (!site_ && !findSite(message.header.frame_id)) return;
+    if (!site_) site_ = awaitSite(message.header.frame_id);
+    if (!site_) return;
     for (tws_msgs::Tracks& ready : waiting_) {
       for (tws_msgs::Track& track : ready.tracks) place(track, *site_);
       tracks_.publish(ready);
     }
     waiting_.clear();
-  }
-
-  /// Tracks wait until the radar's site is known, so that what comes out does not depend on when it is told. False:
-  /// wait.
-  bool findSite(const std::string& radar_frame) {
-    std::string why;
-    site_ = tws_runtime::findSite(bus_.transforms(), params_.frame, radar_frame, why);
-    if (site_) return true;
-    if (waiting_.size() <= kMostWaiting) return false;
-    bus_.counter("unknown sites").add("no transform from " + radar_frame + " to " + params_.frame + ": " + why);
-    constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
-    site_ = tws_runtime::Site{kUnknown, kUnknown, kUnknown, kUnknown};
-    return true;
   }
 
   Bus& bus_;

@@ -8,6 +8,7 @@
 #include <tws_runtime/conversions.h>
 #include <tws_runtime/parameters.h>
 #include <tws_runtime/radar_inputs.h>
+#include <tws_runtime/sites.h>
 
 #include <cmath>
 #include <deque>
@@ -107,7 +108,8 @@ class WindowTrackerNode::Impl {
   /// Sectors wait until the site is known, so that what comes out does not depend on when it is told.
   void onSector(tws::RadarSector sector) {
     waiting_.push_back(std::move(sector));
-    if (!site_ && !findSite(waiting_.size() <= kMostWaiting)) return;
+    if (!site_) site_ = tws_runtime::awaitSite(bus_, params_.frame, inputs_.frame(0), waiting_.size() <= kMostWaiting);
+    if (!site_) return;
     while (!waiting_.empty()) {
       processed_ = {waiting_.front().running, waiting_.front().leave_time};
       tracker_->process(waiting_.front());
@@ -115,17 +117,6 @@ class WindowTrackerNode::Impl {
       queue_.release(processed_->running, [this](const auto& request) { obey(request); });
     }
     countTroubles();
-  }
-
-  /// False: wait.
-  bool findSite(bool patient) {
-    std::string why;
-    site_ = tws_runtime::findSite(bus_.transforms(), params_.frame, inputs_.frame(0), why);
-    if (site_) return true;
-    if (patient) return false;
-    bus_.counter("unknown sites").add("no transform from " + inputs_.frame(0) + " to " + params_.frame + ": " + why);
-    site_ = Site{};
-    return true;
   }
 
   void publish(const WindowReport& report) {

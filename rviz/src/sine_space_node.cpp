@@ -1,12 +1,12 @@
 #include <tws_rviz/sine_space_node.h>
 
-#include <tf2/exceptions.h>
 #include <tws_core/sine_space.h>
 #include <tws_msgs/DwellReports.h>
 #include <tws_msgs/Frame.h>
 #include <tws_msgs/Tracks.h>
 #include <tws_runtime/conversions.h>
 #include <tws_runtime/parameters.h>
+#include <tws_runtime/sites.h>
 
 #include <Eigen/Geometry>
 #include <cmath>
@@ -127,16 +127,8 @@ class SineSpaceNode::Impl {
   }
 
   std::optional<Eigen::Isometry3d> arrayFrom(const std::string& frame) const {
-    try {
-      const auto transform = bus_.transforms().lookupTransform(params_.radar, frame, ros::Time()).transform;
-      const auto& r = transform.rotation;
-      Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
-      pose.linear() = Eigen::Quaterniond(r.w, r.x, r.y, r.z).normalized().toRotationMatrix();
-      pose.translation() << transform.translation.x, transform.translation.y, transform.translation.z;
-      return pose;
-    } catch (const tf2::TransformException&) {
-      return std::nullopt;  // It comes with the radar's first messages.
-    }
+    std::string why;  // The transform comes with the radar's first messages.
+    return tws_runtime::findPose(bus_.transforms(), params_.radar, frame, why);
   }
 
   void watchTime() {

@@ -3,6 +3,7 @@
 #include <tws_msgs/SsrPlots.h>
 #include <tws_msgs/Tracks.h>
 #include <tws_runtime/conversions.h>
+#include <tws_runtime/sites.h>
 
 #include <cmath>
 #include <deque>
@@ -105,20 +106,10 @@ class SsrTrackerNode::Impl {
   /// Reports wait until the radar's site is known, so that what comes out does not depend on when it is told.
   void hold(const SecondaryReport& report) {
     waiting_.push_back(report);
-    if (!site_ && !findSite(waiting_.size() <= kMostWaiting)) return;
+    if (!site_) site_ = tws_runtime::awaitSite(bus_, params_.frame, frame_, waiting_.size() <= kMostWaiting);
+    if (!site_) return;
     for (const SecondaryReport& ready : waiting_) publish(ready);
     waiting_.clear();
-  }
-
-  /// False: wait.
-  bool findSite(bool patient) {
-    std::string why;
-    site_ = tws_runtime::findSite(bus_.transforms(), params_.frame, frame_, why);
-    if (site_) return true;
-    if (patient) return false;
-    bus_.counter("unknown sites").add("no transform from " + frame_ + " to " + params_.frame + ": " + why);
-    site_ = Site{};
-    return true;
   }
 
   void publish(const SecondaryReport& report) {
