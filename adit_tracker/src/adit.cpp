@@ -146,6 +146,7 @@ void Adit::admit(const Executive::Turn& turn) {
 }
 
 void Adit::begin(const Executive::Turn& turn) {
+  if (!radarOf(turn).joined) joinSite(turn.radar);
   admit(turn);
   report_.radar = turn.radar;
   report_.running = turn.running;
@@ -188,7 +189,7 @@ void Adit::pass(const Executive::Turn& turn, bool map_clutter) {
   for (const auto slot : primary_) {
     Track& track = tracks_.at(slot);
     track.illuminated[turn.radar] = Antenna::near(track.predicted.azimuth, turn.running);
-    predictNext(track);
+    predictNext(track, radarOf(turn).site);
     moveOn(slot, turn.radar);
   }
   end();
@@ -224,7 +225,7 @@ void Adit::mapClutter(const Executive::Turn& turn) {
 /// The tracks in a sector that this radar has not met on this scan, each aimed at the radar's beam.
 void Adit::listSector(const Executive::Turn& turn, std::int64_t running, Slots& slots) {
   const std::size_t begin = slots.size();
-  tracks_.list(Antenna::sectorNumber(running), slots);
+  tracks_.list(Antenna::sectorNumber(running), slots, radarOf(turn).site);
   const auto met = [&](TrackFile::Slot s) { return metOnThisScan(tracks_.at(s), turn.radar, running); };
   slots.erase(std::remove_if(slots.begin() + static_cast<std::ptrdiff_t>(begin), slots.end(), met), slots.end());
   for (std::size_t i = begin; i < slots.size(); ++i) aimAt(tracks_.at(slots[i]), turn.radar, running);
@@ -237,7 +238,8 @@ void Adit::correlate(const Executive::Turn& turn) {
   if (primary_.empty()) return;
   for (int ahead = 1; ahead <= kSecondarySectors; ++ahead) listSector(turn, turn.running + ahead, secondary_);
   constexpr std::size_t kFetchAhead = 3;
-  const auto& pairs = correlator_.correlate(tracks_, primary_, secondary_, radarOf(turn), turn.running);
+  const auto& pairs =
+      correlator_.correlate(tracks_, primary_, secondary_, radarOf(turn), turn.running, radarOf(turn).site);
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     if (i + kFetchAhead < pairs.size()) tracks_.fetchAhead(pairs[i + kFetchAhead].slot);
     update(turn, pairs[i].slot, *pairs[i].detection);
@@ -250,8 +252,8 @@ void Adit::correlate(const Executive::Turn& turn) {
 /// Is the track settled and straight, so that its innovation shows the radar's own errors?
 bool Adit::tellsErrors(const Track& track, const tws::Plot& plot) const {
   constexpr double kSurelyStraight = 0.9;
-  return params_.learn_noise && std::isnan(plot.range_sigma) && track.firm && track.updates > kSettled &&
-         std::get<TurningFilter>(track.filter).straightProbability() > kSurelyStraight;
+  return params_.learn_noise && std::isnan(plot.range_sigma) && !track.predicted.vague_height && track.firm &&
+         track.updates > kSettled && std::get<TurningFilter>(track.filter).straightProbability() > kSurelyStraight;
 }
 
 /// Is the track surely no clutter?
@@ -270,7 +272,7 @@ void Adit::update(const Executive::Turn& turn, TrackFile::Slot slot, Detection& 
     quality.learnErrors((plot.range - p.range) / std::sqrt(p.innovation.xx),
                         p.range * tws::angularDifference(plot.azimuth, p.azimuth) / std::sqrt(p.innovation.yy));
   }
-  const double log_likelihood = motion_.update(track, plot, quality);
+  const double log_likelihood = motion_.update(track, plot, quality, turn.radar);
   track.coasting = false;
   track.updated[turn.radar] = plot.time;
   track.illuminated[turn.radar] = Antenna::near(plot.azimuth, turn.running);
@@ -281,7 +283,7 @@ void Adit::update(const Executive::Turn& turn, TrackFile::Slot slot, Detection& 
   if (judge_.updated(track, turn.radar, log_likelihood, quality, !disputed)) ++counts_.tracks_firm;
   if (detection.claim != Detection::kNoClaim && clutterYieldsTo(track)) clutterOf(turn.radar).disclaim(detection.claim);
   report_.words.push_back({slot, TrackEvent::kUpdated, track.smoothed.time});
-  predictNext(track);
+  predictNext(track, radarOf(turn).site);
 }
 
 /// Illuminated and not detected: the track coasts by its stored velocities, or has had its time.
@@ -289,13 +291,14 @@ void Adit::miss(const Executive::Turn& turn, TrackFile::Slot slot) {
   Track& track = tracks_.at(slot);
   track.illuminated[turn.radar] = Antenna::near(track.predicted.azimuth, turn.running);
   track.detected_by = static_cast<std::uint16_t>(track.detected_by & ~(1U << turn.radar));
+  if (outOfReach(track, radarOf(turn).quality)) return predictNext(track, radarOf(turn).site);
   track.coasting = true;
   const double time = track.predicted.time;
   if (judge_.missed(track, turn.radar, time)) {
     drop(slot, time);
   } else {
     report_.words.push_back({slot, TrackEvent::kCoasted, time});
-    predictNext(track);
+    predictNext(track, radarOf(turn).site);
   }
 }
 
@@ -314,7 +317,8 @@ void Adit::convertSlowTracks(const Executive::Turn& turn) {
     const bool gone = std::find(dropped_.begin(), dropped_.end(), slot) != dropped_.end();
     if (gone || !hasBecomeSlow(track, *judge_after)) continue;
     const Kinematics& k = track.smoothed;
-    if (!clutterOf(turn.radar).adopt(k.range, k.azimuth, k.time, turn.radar)) {
+    const Seen seen = motion_.seenBy(track, turn.radar, k.time);
+    if (!clutterOf(turn.radar).adopt(seen.range, seen.azimuth, k.time, turn.radar)) {
       ++counts_.refused_clutter;
       continue;
     }

@@ -44,15 +44,19 @@ struct AditCounts {
   std::uint64_t to_clutter = 0, to_track = 0;             // conversions
 };
 
-/// The tracker of NRL Report 7952 for up to eight radars at one site: detections of asynchronously scanning radars
-/// become one set of tracks. Same sectors in, same tracks out, whatever the order in which the radars' sectors arrive
-/// (see Executive).
+/// The tracker of NRL Report 7952 for up to eight radars: detections of asynchronously scanning radars become one set
+/// of tracks. The radars may stand at different sites, each with azimuth sectors of its own; a track is in one of each.
+/// Same sectors in, same tracks out, whatever the order in which the radars' sectors arrive (see Executive).
 class Adit {
  public:
   using Sink = std::function<void(const SectorReport&)>;
 
   /// Throws std::invalid_argument (see check). `sink` is called for every sector processed; it may be empty.
   Adit(const AditParams& params, Sink sink);
+
+  /// Where a radar stands, before its first sector; else with the first radar. The same again changes nothing. Throws
+  /// std::invalid_argument when it stands elsewhere and the parameters cannot join it (see joinsSites).
+  void place(std::size_t radar, const SiteFrame& frame);
 
   /// Takes in a closed sector of a radar (index in params.radars) and processes what has become ready. Within a radar,
   /// sectors come in order: one that does not is refused by std::invalid_argument. Plots that are not finite or whose
@@ -131,9 +135,15 @@ class Adit {
   void drop(TrackFile::Slot slot, double time);
 
   static bool metOnThisScan(const Track& track, std::size_t radar, std::int64_t running);
+  void joinSite(std::size_t radar);
+  void enterSectors(TrackFile::Slot slot, std::size_t site);
+  void renewElsewhere(TrackFile::Slot slot, std::size_t site);
+  int sectorElsewhere(const Track& track, std::size_t site) const;
+  bool outOfReach(const Track& track, const RadarQuality& quality) const;
+  void doubtOtherSites(Track& track, std::size_t radar) const;
   void listSector(const Executive::Turn& turn, std::int64_t running, Slots& slots);
   void aimAt(Track& track, std::size_t radar, std::int64_t running);
-  void predictNext(Track& track);
+  void predictNext(Track& track, std::size_t site);
   double nextIllumination(const Track& track, std::size_t radar) const;
   bool wouldMissUpdate(int from, int to, std::size_t radar) const;
   std::optional<double> judgeAfter(std::size_t radar, std::int64_t running, long offset) const;
@@ -145,6 +155,7 @@ class Adit {
   std::size_t reference_;
   Executive executive_;
   std::vector<RadarState> radars_;
+  std::vector<SiteFrame> sites_{SiteFrame{}};  // those whose radars have been heard, the first radar's always
   TrackFile tracks_;
   std::vector<ClutterMap> clutter_;
   Correlator correlator_;

@@ -110,6 +110,10 @@ AditParams AditParams::named(const std::string& name) {
   return p;
 }
 
+bool joinsSites(const AditParams& params) {
+  return params.filter == FilterKind::kTurning && params.gates == GateKind::kStatistical && params.clutter.per_radar;
+}
+
 void check(const AditParams& params) {
   checkRadars(params);
   checkGates(params);

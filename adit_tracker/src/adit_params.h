@@ -112,6 +112,10 @@ struct AditParams {
   static AditParams named(const std::string& name);
 };
 
+/// Can radars at different sites be joined? That needs the turning filter, which is on the plane, and a clutter map for
+/// each radar.
+bool joinsSites(const AditParams& params);
+
 /// Throws std::invalid_argument that names the parameter, its value and its range.
 void check(const AditParams& params);
 

@@ -114,11 +114,11 @@ void Correlator::gatherPrimary(const TrackFile& tracks, const std::vector<TrackF
 
 /// Only those secondary tracks matter that may want a candidate of a primary one, or of another one that matters.
 void Correlator::gatherSecondary(const TrackFile& tracks, const std::vector<TrackFile::Slot>& slots, RadarState& radar,
-                                 std::int64_t running) {
+                                 std::int64_t running, std::size_t site) {
   const int here = static_cast<int>(running % tws::kSectors);
   secondary_.clear();
   for (const auto slot : slots) {
-    const std::int64_t sector = running + tws::sectorDifference(tracks.sector(slot), here);
+    const std::int64_t sector = running + tws::sectorDifference(tracks.sector(slot, site), here);
     secondary_.push_back({slot, secondary_.size(), false, sector, reachOf(tracks.at(slot).predicted), false});
   }
   const std::size_t primary = entries_.size();
@@ -163,7 +163,7 @@ void Correlator::pass(std::size_t gate) {
 const std::vector<Correlation>& Correlator::correlate(const TrackFile& tracks,
                                                       const std::vector<TrackFile::Slot>& primary,
                                                       const std::vector<TrackFile::Slot>& secondary, RadarState& radar,
-                                                      std::int64_t running) {
+                                                      std::int64_t running, std::size_t site) {
   ++run_;
   entries_.clear();
   candidates_.clear();
@@ -171,7 +171,7 @@ const std::vector<Correlation>& Correlator::correlate(const TrackFile& tracks,
   frontier_.clear(radar.detections, running);
   gatherPrimary(tracks, primary, radar, running);
   if (candidates_.empty()) return correlations_;
-  gatherSecondary(tracks, secondary, radar, running);
+  gatherSecondary(tracks, secondary, radar, running, site);
   for (std::size_t gate = 0; gate < kGates; ++gate) pass(gate);
   return correlations_;
 }

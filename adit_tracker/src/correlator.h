@@ -24,11 +24,11 @@ class Correlator {
   explicit Correlator(const AditParams& params) : params_(params) {}
 
   /// `primary`: tracks in the running sector that may be updated; `secondary`: those of the two sectors ahead; both in
-  /// order of the sector files (firm first). Each track's prediction must be for this radar. The detections given away
-  /// are marked as used.
+  /// order of the sector files of the radar's site (firm first). Each track's prediction must be for this radar. The
+  /// detections given away are marked as used.
   const std::vector<Correlation>& correlate(const TrackFile& tracks, const std::vector<TrackFile::Slot>& primary,
                                             const std::vector<TrackFile::Slot>& secondary, RadarState& radar,
-                                            std::int64_t running);
+                                            std::int64_t running, std::size_t site = 0);
 
  private:
   struct Candidate {
@@ -78,7 +78,7 @@ class Correlator {
   void gatherPrimary(const TrackFile& tracks, const std::vector<TrackFile::Slot>& slots, RadarState& radar,
                      std::int64_t running);
   void gatherSecondary(const TrackFile& tracks, const std::vector<TrackFile::Slot>& slots, RadarState& radar,
-                       std::int64_t running);
+                       std::int64_t running, std::size_t site);
   /// The smallest region that holds the detection, and its distance; kGates: none.
   std::size_t smallestGate(const Track& track, double range_difference, double azimuth_difference,
                            double& distance) const;

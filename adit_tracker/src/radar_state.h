@@ -6,6 +6,7 @@
 #include "adit_params.h"
 #include "antenna.h"
 #include "detection_file.h"
+#include "site_frame.h"
 
 namespace adit_tracker {
 
@@ -30,6 +31,8 @@ class RadarQuality {
   /// A sector ended with so many plots that started something new.
   void learnFalsePlots(std::size_t unused);
 
+  /// The farthest plot so far, at least 10 km [m].
+  double greatestRange() const { return greatest_range_; }
   /// Expected false plots a scan.
   double falsePlots() const { return false_plots_; }
   /// Their density over the area that the radar covers [1/m²].
@@ -54,6 +57,9 @@ struct RadarState {
   DetectionFile detections;
   RadarQuality quality;
   std::deque<tws::RadarSector> waiting;  // sectors that have come before their turn
+  SiteFrame frame;
+  std::size_t site = 0;
+  bool joined = true;  // its site has sectors already
 };
 
 }  // namespace adit_tracker

@@ -6,6 +6,7 @@
 
 #include <tws_core/alpha_beta.h>
 
+#include "height_guess.h"
 #include "reference_place.h"
 #include "turning_filter.h"
 
@@ -31,7 +32,8 @@ struct Kinematics {
 struct Prediction {
   double time = 0.0;
   double range = 0.0, azimuth = 0.0;  // RPT, APT
-  std::size_t radar = 0;              // whose beam
+  std::uint32_t radar = 0;            // whose beam
+  bool vague_height = false;          // a good deal of `innovation` comes of the unknown height
   // Of the innovation in range and cross-range [m²], the radar's own errors included. Statistical gates only.
   Symmetric2 innovation;
   double manoeuvre = 0.0;   // variance that a hard manoeuvre adds to each axis of it [m²]
@@ -66,6 +68,7 @@ struct alignas(64) Track {
   std::array<float, kMaxRadars>
       detection_probability;               // by each radar, as this track has shown so far: radars fade apart
   std::array<double, kMaxRadars> updated;  // by each radar, TT12 and TT39; kNever
+  HeightGuess height_guess;  // where radars at several sites are joined
   FixedPlace fixed;
   ReferencePlace reference;  // NR: eight scans ago
   std::variant<PolarFilter, TurningFilter> filter;

@@ -13,7 +13,9 @@ void fetch(const Track& track, std::size_t bytes) {
 
 }  // namespace
 
-TrackFile::TrackFile(std::uint32_t capacity) : numbers_(capacity), sectors_(capacity) {}
+TrackFile::TrackFile(std::uint32_t capacity) : numbers_(capacity), sites_{tws::SectorFile(capacity)} {}
+
+void TrackFile::addSite() { sites_.emplace_back(numbers_.size()); }
 
 std::optional<TrackFile::Slot> TrackFile::start() {
   const std::optional<std::uint32_t> number = numbers_.take();
@@ -43,20 +45,24 @@ void TrackFile::drop(Slot slot) {
 }
 
 void TrackFile::withdraw(Slot slot) {
-  if (sectors_.sector(slot) >= 0) sectors_.remove(slot);
-}
-
-void TrackFile::place(Slot slot, int sector) {
-  withdraw(slot);
-  if (tracks_[slot].firm) {
-    sectors_.addFirst(slot, sector);
-  } else {
-    sectors_.addLast(slot, sector);
+  for (tws::SectorFile& sectors : sites_) {
+    if (sectors.sector(slot) >= 0) sectors.remove(slot);
   }
 }
 
-void TrackFile::list(int sector, std::vector<Slot>& slots) const {
-  for (Slot s = sectors_.first(sector); s != tws::SectorFile::kNone; s = sectors_.next(s)) {
+void TrackFile::place(Slot slot, int sector, std::size_t site) {
+  tws::SectorFile& sectors = sites_[site];
+  if (sectors.sector(slot) >= 0) sectors.remove(slot);
+  if (tracks_[slot].firm) {
+    sectors.addFirst(slot, sector);
+  } else {
+    sectors.addLast(slot, sector);
+  }
+}
+
+void TrackFile::list(int sector, std::vector<Slot>& slots, std::size_t site) const {
+  const tws::SectorFile& sectors = sites_[site];
+  for (Slot s = sectors.first(sector); s != tws::SectorFile::kNone; s = sectors.next(s)) {
     fetch(tracks_[s], sizeof(Track::predicted));
     slots.push_back(s);
   }

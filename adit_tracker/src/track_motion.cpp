@@ -68,11 +68,41 @@ double updatePlace(FixedPlace& place, const PlanarPosition& z) {
   return log_likelihood;
 }
 
+/// Moves all that is known of a track's place.
+void shift(Track& track, const PlanarPosition& by) {
+  std::get<TurningFilter>(track.filter).shift(by.x, by.y);
+  track.fixed.x += by.x;
+  track.fixed.y += by.y;
+}
+
 }  // namespace
 
 TrackMotion::TrackMotion(const AditParams& params) : params_(params), alpha_beta_(params.alpha_beta) {}
 
-void TrackMotion::start(Track& track, const tws::Plot& plot, const RadarQuality& quality) const {
+void TrackMotion::join(const std::vector<SiteFrame>& frames) {
+  frames_ = frames;
+  joined_ = true;
+  params_.turning.sites.clear();
+  for (const SiteFrame& frame : frames) params_.turning.sites.push_back({frame.x, frame.y});
+}
+
+void TrackMotion::guessHeight(Track& track) const {
+  const Kinematics& k = track.smoothed;
+  HeightGuess& guess = track.height_guess;
+  guess.x_per_squared = static_cast<float>(-0.5 * k.x / (k.range * k.range));
+  guess.y_per_squared = static_cast<float>(-0.5 * k.y / (k.range * k.range));
+  const HeightGuess first = HeightGuess::below(params_.turning.assumed_height, k.range);
+  guess.variance = first.variance;
+  shift(track, guess.moveTo(first.squared));
+  track.smoothed = fromPlanar(std::get<TurningFilter>(track.filter).mean(), k.time);
+}
+
+void TrackMotion::relocate(Track& track, double x, double y) const {
+  shift(track, {x - track.smoothed.x, y - track.smoothed.y, {}});
+  track.smoothed = fromPlanar(std::get<TurningFilter>(track.filter).mean(), track.smoothed.time);
+}
+
+void TrackMotion::start(Track& track, const tws::Plot& plot, const RadarQuality& quality, std::size_t radar) const {
   track.first_time = track.last_update = plot.time;
   track.updates = 1;
   track.smoothed = fromPolar(plot.range, plot.azimuth, 0.0, 0.0, plot.time);
@@ -80,19 +110,26 @@ void TrackMotion::start(Track& track, const tws::Plot& plot, const RadarQuality&
     track.filter = PolarFilter{alpha_beta_.start(plot.range), alpha_beta_.start(plot.azimuth)};
     return;
   }
-  const PlanarPosition z =
-      planarMeasurement(plot.range, plot.azimuth, quality.rangeSigma(plot), quality.azimuthSigma(plot));
+  PlanarPosition z = planarMeasurement(plot.range, plot.azimuth, quality.rangeSigma(plot), quality.azimuthSigma(plot));
+  if (joined_) {
+    track.height_guess = HeightGuess::below(params_.turning.assumed_height, plot.range);
+    z = track.height_guess.begin(plot, quality.rangeSigma(plot), quality.azimuthSigma(plot), frames_[radar]);
+    PlanarState at_rest;
+    at_rest.x = z.x;
+    at_rest.y = z.y;
+    track.smoothed = fromPlanar(at_rest, plot.time);
+  }
   track.filter.emplace<TurningFilter>().start(z, params_.turning);
   track.fixed = {z.x, z.y, z.covariance, 0.0};
 }
 
-double TrackMotion::update(Track& track, const tws::Plot& plot, const RadarQuality& quality) const {
+double TrackMotion::update(Track& track, const tws::Plot& plot, const RadarQuality& quality, std::size_t radar) const {
   ++track.updates;
   double log_likelihood = 0.0;
   if (params_.filter == FilterKind::kAlphaBeta) {
     updatePolar(track, plot);
   } else {
-    log_likelihood = updateTurning(track, plot, quality);
+    log_likelihood = joined_ ? updateJoined(track, plot, quality, radar) : updateTurning(track, plot, quality);
   }
   track.last_update = std::max(track.last_update, plot.time);
   return log_likelihood;
@@ -122,6 +159,32 @@ double TrackMotion::updateTurning(Track& track, const tws::Plot& plot, const Rad
   return log_likelihood;
 }
 
+/// The same, where another radar may stand elsewhere.
+double TrackMotion::updateJoined(Track& track, const tws::Plot& plot, const RadarQuality& quality,
+                                 std::size_t radar) const {
+  TurningFilter& filter = std::get<TurningFilter>(track.filter);
+  HeightGuess& guess = track.height_guess;
+  const double dt = std::max(0.0, plot.time - track.smoothed.time);
+  guess.age(dt, params_.turning.assumed_height);
+  shift(track, guess.flatten(plot.range));
+  const GuessedPlace z = guess.placeOf(plot, quality.rangeSigma(plot), quality.azimuthSigma(plot), frames_[radar]);
+  const PlanarPosition wider = guess.against(z), predicted = filter.predictPosition(dt, params_.turning);
+  const double log_likelihood = filter.update(wider, dt, params_.turning);
+  if (!track.firm) track.fixed.moving_evidence += log_likelihood - updatePlace(track.fixed, wider);
+  shift(track, guess.learn(z, predicted, params_.turning.assumed_height));
+  track.smoothed = fromPlanar(filter.mean(), track.smoothed.time + dt);
+  return log_likelihood;
+}
+
+Seen TrackMotion::seenBy(const Track& track, std::size_t radar, double time) const {
+  const Kinematics& k = track.smoothed;
+  if (!joined_) return {k.range, k.azimuth, k.azimuth_rate};
+  const double dt = time - k.time;
+  const PlanarView view = frames_[radar].view(k.x + k.vx * dt, k.y + k.vy * dt);
+  return {track.height_guess.slantRange(view.distance), view.azimuth,
+          (view.north * k.vx - view.east * k.vy) / (view.distance * view.distance)};
+}
+
 Extrapolation TrackMotion::at(const Track& track, double time) const {
   const double dt = time - track.smoothed.time;
   if (const auto* polar = std::get_if<PolarFilter>(&track.filter)) {
@@ -131,25 +194,36 @@ Extrapolation TrackMotion::at(const Track& track, double time) const {
             false, PlanarState{}};
   }
   const PlanarState planar = std::get<TurningFilter>(track.filter).predict(dt, params_.turning);
-  return {fromPlanar(planar, time), true, planar};
+  Extrapolation there{fromPlanar(planar, time), true, planar};
+  if (joined_) {
+    Kinematics& k = there.kinematics;
+    const double slant = track.height_guess.slantRange(k.range);
+    k.range_rate *= k.range / slant;
+    k.range = slant;
+  }
+  return there;
 }
 
 void TrackMotion::predict(Track& track, std::size_t radar, double time, const RadarQuality& quality) const {
   const double dt = time - track.smoothed.time;
   Prediction& p = track.predicted;
   p.time = time;
-  p.radar = radar;
+  p.radar = static_cast<std::uint32_t>(radar);
   if (const auto* polar = std::get_if<PolarFilter>(&track.filter)) {
     p.range = std::max(polar->range.position + polar->range.velocity * dt, 1.0);
     p.azimuth = tws::wrapTwoPi(polar->azimuth.position + polar->azimuth.velocity * dt);
     return;
   }
   const PlanarPosition there = std::get<TurningFilter>(track.filter).predictPosition(dt, params_.turning);
-  p.range = rangeOf(there.x, there.y);
-  p.azimuth = azimuthOf(there.x, there.y);
+  if (joined_) {
+    predictJoined(track, there, quality);
+  } else {
+    p.range = rangeOf(there.x, there.y);
+    p.azimuth = azimuthOf(there.x, there.y);
+    p.innovation = inPolar(there, p.range);
+  }
   const double along = quality.rangeSigma() * quality.rangeSigma();
   const double cross = p.range * p.range * quality.azimuthSigma() * quality.azimuthSigma();
-  p.innovation = inPolar(there, p.range);
   p.innovation.xx += along;
   p.innovation.yy += cross;
   // Hardly any manoeuvre stays hard for longer; without the limit a coasting track would take any other target's plots.
@@ -157,6 +231,25 @@ void TrackMotion::predict(Track& track, std::size_t radar, double time, const Ra
   const double manoeuvre = TurningFilter::manoeuvreSigma(std::min(dt, kLongestManoeuvre), params_.turning);
   p.manoeuvre = manoeuvre * manoeuvre;
   p.log_volume = std::log(p.innovation.determinant() / (along * cross));
+}
+
+/// The place in the predicted radar's slant range and azimuth, with the covariance of the innovation but for the
+/// radar's own errors.
+void TrackMotion::predictJoined(Track& track, const PlanarPosition& there, const RadarQuality& quality) const {
+  Prediction& p = track.predicted;
+  const HeightGuess& guess = track.height_guess;
+  const PlanarView view = frames_[p.radar].view(there.x, there.y);
+  p.range = guess.slantRange(view.distance);
+  p.azimuth = view.azimuth;
+  const double ground = std::max(view.distance, 0.5 * p.range);
+  const double slope = -0.5 / (ground * ground);
+  const PlanarPosition wider = guess.against({there, slope * view.east, slope * view.north});
+  const Symmetric2 on_plane = inPolar({view.east, view.north, wider.covariance}, view.distance);
+  const double known = inPolar({view.east, view.north, there.covariance}, view.distance).xx;
+  const double flatter = ground / p.range;
+  p.innovation = {on_plane.xx * flatter * flatter, on_plane.xy, on_plane.yy / (flatter * flatter)};
+  constexpr double kMuch = 0.1;
+  p.vague_height = (on_plane.xx - known) > kMuch * quality.rangeSigma() * quality.rangeSigma();
 }
 
 }  // namespace adit_tracker

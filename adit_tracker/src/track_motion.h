@@ -13,19 +13,36 @@ struct Extrapolation {
   PlanarState planar;
 };
 
+/// How a radar sees a track.
+struct Seen {
+  double range, azimuth, azimuth_rate;  // [m], [rad], [rad/s]
+};
+
 /// How tracks move: starts, corrects and extrapolates them by the filter that the parameters choose.
 class TrackMotion {
  public:
   explicit TrackMotion(const AditParams& params);
 
+  /// Where the radars stand, one frame a radar, from now on at more than one site. Needs the turning filter.
+  void join(const std::vector<SiteFrame>& frames);
+  bool joined() const { return joined_; }
+  /// Of a track that was started when there was one site.
+  void guessHeight(Track& track) const;
+
+  /// Moves a track that has just been started to a place on the plane [m].
+  void relocate(Track& track, double x, double y) const;
+
   /// The track's first detection: at rest, where the plot is (section "Track Initiation").
-  void start(Track& track, const tws::Plot& plot, const RadarQuality& quality) const;
+  void start(Track& track, const tws::Plot& plot, const RadarQuality& quality, std::size_t radar = 0) const;
 
   /// Corrects by a detection. Returns the natural logarithm of its likelihood [1/m²]; 0 with the α-β filter.
-  double update(Track& track, const tws::Plot& plot, const RadarQuality& quality) const;
+  double update(Track& track, const tws::Plot& plot, const RadarQuality& quality, std::size_t radar = 0) const;
 
   /// Where the track is at `time`, which may be before the latest update by a little.
   Extrapolation at(const Track& track, double time) const;
+
+  /// Slant range and azimuth of the track's latest state as the radar sees it.
+  Seen seenBy(const Track& track, std::size_t radar, double time) const;
 
   /// Sets track.predicted for an illumination by a radar.
   void predict(Track& track, std::size_t radar, double time, const RadarQuality& quality) const;
@@ -33,8 +50,12 @@ class TrackMotion {
  private:
   void updatePolar(Track& track, const tws::Plot& plot) const;
   double updateTurning(Track& track, const tws::Plot& plot, const RadarQuality& quality) const;
+  double updateJoined(Track& track, const tws::Plot& plot, const RadarQuality& quality, std::size_t radar) const;
+  void predictJoined(Track& track, const PlanarPosition& there, const RadarQuality& quality) const;
 
   AditParams params_;
+  std::vector<SiteFrame> frames_;  // by radar, when they are at several sites
+  bool joined_ = false;            // are they at several sites?
   tws::AdaptiveAlphaBeta alpha_beta_;
 };
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace adit_tracker {
 namespace {
@@ -132,10 +133,19 @@ PlanarState merged(const States& states, const Weights& weights) {
   return result;
 }
 
+/// Of the nearest site [m²].
+double squaredDistance(const PlanarState& s, const TurningFilterParams& params) {
+  if (params.sites.empty()) return s.x * s.x + s.y * s.y;
+  double least = std::numeric_limits<double>::infinity();
+  for (const auto& site : params.sites)
+    least = std::min(least, (s.x - site.x) * (s.x - site.x) + (s.y - site.y) * (s.y - site.y));
+  return least;
+}
+
 /// Density of the acceleration that straight flight at the assumed height h seems to have in slant range on the plane:
 /// h²v²/r³, lasting dt [m²/s³].
 double slantAcceleration(const PlanarState& s, double dt, const TurningFilterParams& params) {
-  const double r2 = std::max(s.x * s.x + s.y * s.y, params.assumed_height * params.assumed_height);
+  const double r2 = std::max(squaredDistance(s, params), params.assumed_height * params.assumed_height);
   if (r2 == 0.0) return 0.0;
   const double h2 = params.assumed_height * params.assumed_height, v2 = s.vx * s.vx + s.vy * s.vy;
   return h2 * h2 * v2 * v2 / (r2 * r2 * r2) * dt;
@@ -238,6 +248,13 @@ double TurningFilter::update(const PlanarPosition& z, double dt, const TurningFi
   // A floor keeps a model from dying for good by underflow.
   for (double& p : probability_) p = std::max(p / sum, 1e-12);
   return std::log(sum) - 0.5 * least - kLogTwoPi + (manoeuvre ? kLogManoeuvre : 0.0);
+}
+
+void TurningFilter::shift(double dx, double dy) {
+  for (PlanarState& state : state_) {
+    state.x += dx;
+    state.y += dy;
+  }
 }
 
 PlanarState TurningFilter::mean() const { return meanOf(state_, probability_); }

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <vector>
 
 #include <tws_core/units.h>
 
@@ -49,6 +50,11 @@ struct TurningFilterParams {
   // axis) [m/s²]; 0: never.
   double manoeuvre_acceleration = 10.0;
   double speed_sigma = 150.0;  // Of each velocity component before it is known [m/s].
+  // Where slant ranges are measured from [m]; empty: from the origin alone.
+  struct Place {
+    double x, y;
+  };
+  std::vector<Place> sites;
 };
 
 /// Interacting multiple models (Blom & Bar-Shalom 1988) on the plane: straight flight, turn to the right, turn to the
@@ -64,6 +70,9 @@ class TurningFilter {
   /// Moves on by dt [s] ≥ 0, corrects by the measurement. Returns the natural logarithm of the measurement's likelihood
   /// [1/m²].
   double update(const PlanarPosition& measurement, double dt, const TurningFilterParams& params);
+
+  /// Moves the target, as it is known, by so much [m].
+  void shift(double dx, double dy);
 
   /// The mixture moved on by dt [s], by one Gaussian of the same mean and covariance.
   PlanarState predict(double dt, const TurningFilterParams& params) const;
