@@ -17,6 +17,8 @@
 #include <string>
 #include <vector>
 
+#include "connection.h"
+
 namespace {
 
 constexpr double kTwoPi = 6.283185307179586;
@@ -73,7 +75,8 @@ class AditRostest : public testing::Test {
       for (const Radar& radar : radars_) {
         if (radar.detections.getNumSubscribers() == 0 || radar.marks.getNumSubscribers() == 0) return false;
       }
-      return tracks.getNumPublishers() > 0 && clutter.getNumPublishers() > 0;
+      return sites.getNumSubscribers() > 0 && sendsToUs("/adit", "/adit/tracks") &&
+             sendsToUs("/adit", "/adit/clutter_map");
     });
     if (!is_there) {
       problem_ = "the node is not there";
@@ -257,10 +260,13 @@ TEST_F(AditRostest, TimeThatGoesBackBeginsANewRun) {
     const auto again = static_cast<std::size_t>(sector);
     ASSERT_TRUE(waitFor([&] { return heard_.size() - before + 15 >= again; }));
   }
-  EXPECT_EQ(heard_.at(before).running_sector, 0U);
-  EXPECT_NEAR(heard_.at(before).header.stamp.toSec(), kStart, 0.2);
-  const auto first_word = std::find_if(heard_.begin() + static_cast<std::ptrdiff_t>(before), heard_.end(),
-                                       [](const tws_msgs::Tracks& message) { return !message.tracks.empty(); });
+  // Some words of the old run may have come only now.
+  const auto anew = std::find_if(heard_.begin() + static_cast<std::ptrdiff_t>(before), heard_.end(),
+                                 [](const auto& message) { return message.header.stamp.toSec() < kStart + 60.0; });
+  ASSERT_NE(anew, heard_.end());
+  EXPECT_EQ(anew->running_sector, 0U);
+  EXPECT_NEAR(anew->header.stamp.toSec(), kStart, 0.2);
+  const auto first_word = std::find_if(anew, heard_.end(), [](const auto& message) { return !message.tracks.empty(); });
   ASSERT_NE(first_word, heard_.end());
   EXPECT_EQ(first_word->tracks[0].uid, 1U) << "the numbers begin anew at 1";
   EXPECT_EQ(first_word->tracks[0].state, tws_msgs::Track::TENTATIVE);
