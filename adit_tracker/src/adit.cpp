@@ -11,7 +11,6 @@
 namespace adit_tracker {
 namespace {
 
-constexpr std::int64_t kClutterAhead = 3;      // sectors that the clutter map runs ahead of the tracks
 constexpr std::int64_t kInitiationBehind = 1;  // sectors that initiation runs behind them
 constexpr int kSecondarySectors = 2;           // sectors ahead whose tracks take part in the correlation
 // Plots beyond are mistakes: no radar sees further, and their squares must stay finite.
@@ -64,6 +63,7 @@ Adit::Adit(const AditParams& params, Sink sink)
   for (const RadarParams& radar : params.radars) radars_.emplace_back(radar, params.learn_noise);
   const std::size_t maps = params.clutter.per_radar ? radars_.size() : 1;
   for (std::size_t i = 0; i < maps; ++i) clutter_.emplace_back(params.clutter, params.conversion);
+  awaited_clutter_.resize(maps);
 }
 
 void Adit::add(std::size_t radar, tws::RadarSector sector) {
@@ -158,12 +158,13 @@ void Adit::begin(const Executive::Turn& turn) {
     if (word.event == TrackEvent::kDropped) dropped_.push_back(word.slot);
   }
   by_hand_.clear();
+  loadAwaitedClutter(turn);
 }
 
 /// Figure 3 of the report: one sector of the radar whose data are the oldest.
 void Adit::process(const Executive::Turn& turn) {
   begin(turn);
-  mapClutter(turn);
+  mapClutter(turn.radar, turn.running + kClutterAhead);
   correlate(turn);
   convertSlowTracks(turn);
   for (const auto slot : primary_) moveOn(slot, turn.radar);
@@ -182,7 +183,7 @@ void Adit::pass(const Executive::Turn& turn, bool map_clutter) {
   begin(turn);
   report_.skipped = true;
   ++counts_.skipped_sectors;
-  if (map_clutter) mapClutter(turn);
+  if (map_clutter) mapClutter(turn.radar, turn.running + kClutterAhead);
   for (Detection& detection : radarOf(turn).detections.at(turn.running).detections) detection.used = true;
   primary_.clear();
   listSector(turn, turn.running, primary_);
@@ -201,25 +202,6 @@ std::optional<double> Adit::judgeAfter(std::size_t radar, std::int64_t running, 
   const long scans = params_.conversion.scans;
   if (running / tws::kSectors % scans != offset) return std::nullopt;
   return 0.5 * static_cast<double>(scans) * radars_[radar].antenna.period();
-}
-
-void Adit::mapClutter(const Executive::Turn& turn) {
-  RadarState& radar = radarOf(turn);
-  const std::int64_t running = turn.running + kClutterAhead;
-  const double now = radar.antenna.timeAt(Antenna::startOf(running + 1));
-  // A common map is judged by the scans of the reference radar, a radar's own map by its own.
-  const bool judges = params_.clutter.per_radar || turn.radar == reference_;
-  const auto judge_after = judges ? judgeAfter(turn.radar, running, 0) : std::nullopt;
-  for (const ClutterPoint& point : clutterOf(turn.radar).process(turn.radar, radar, running, now, judge_after)) {
-    tws::Plot plot;
-    plot.time = point.last_update;
-    plot.range = point.range;
-    plot.azimuth = point.azimuth;
-    Track* const track = startTrack(turn.radar, plot);
-    if (track == nullptr) continue;
-    track->updated = point.updated;  // with one map for all, another radar may have seen it last
-    ++counts_.to_track;
-  }
 }
 
 /// The tracks in a sector that this radar has not met on this scan, each aimed at the radar's beam.

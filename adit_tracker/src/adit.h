@@ -16,6 +16,8 @@
 
 namespace adit_tracker {
 
+constexpr std::int64_t kClutterAhead = 3;  // sectors that the clutter map runs ahead of the tracks
+
 /// What happened to a track when a sector was processed.
 enum class TrackEvent { kStarted, kUpdated, kCoasted, kDropped };
 
@@ -87,6 +89,11 @@ class Adit {
   /// [m]. Nothing: all numbers are in use, which is counted.
   std::optional<TrackFile::Slot> startByHand(double range, double azimuth, double sigma);
   void dropByHand(TrackFile::Slot slot);
+  /// Clutter is known to stand there, from now on (see ClutterMap::load). The map of a radar that was not heard yet
+  /// gets its points with the radar's first sector. Places of all radars go into every map, and a common map takes
+  /// those of each radar; what two radars say of one point there is one point. Returns for how many points there was no
+  /// number, which is counted. Throws std::invalid_argument when ClutterLimits refuses a place.
+  std::size_t loadClutter(const std::vector<ClutterPlace>& places);
 
   /// The sector processed last; its words are not valid. Of radar 0 and at 0 s as long as counts() has no sector.
   const SectorReport& latest() const { return report_; }
@@ -104,6 +111,8 @@ class Adit {
   bool believed(const Track& track) const { return judge_.believed(track); }
   /// The clutter maps: one, or one for each radar.
   const std::vector<ClutterMap>& clutter() const { return clutter_; }
+  /// The points that are surely clutter (ClutterMap::known), by radar and azimuth: what loadClutter takes.
+  std::vector<ClutterPlace> clutterPlaces() const;
   const RadarQuality& quality(std::size_t radar) const { return radars_[radar].quality; }
   const AditCounts& counts() const { return counts_; }
   const AditParams& params() const { return params_; }
@@ -118,7 +127,9 @@ class Adit {
   void pass(const Executive::Turn& turn, bool map_clutter);
   void process(const Executive::Turn& turn);
   void admit(const Executive::Turn& turn);
-  void mapClutter(const Executive::Turn& turn);
+  void mapClutter(std::size_t radar, std::int64_t running);
+  void loadAwaitedClutter(const Executive::Turn& turn);
+  std::size_t loadClutterInto(std::size_t map, std::vector<ClutterPlace>& awaited);
   void correlate(const Executive::Turn& turn);
   bool tellsErrors(const Track& track, const tws::Plot& plot) const;
   bool clutterYieldsTo(const Track& track) const;
@@ -147,7 +158,8 @@ class Adit {
   double nextIllumination(const Track& track, std::size_t radar) const;
   bool wouldMissUpdate(int from, int to, std::size_t radar) const;
   std::optional<double> judgeAfter(std::size_t radar, std::int64_t running, long offset) const;
-  ClutterMap& clutterOf(std::size_t radar) { return clutter_[clutter_.size() == 1 ? 0 : radar]; }
+  std::size_t clutterIndex(std::size_t radar) const { return clutter_.size() == 1 ? 0 : radar; }
+  ClutterMap& clutterOf(std::size_t radar) { return clutter_[clutterIndex(radar)]; }
   RadarState& radarOf(const Executive::Turn& turn) { return radars_[turn.radar]; }
 
   AditParams params_;
@@ -158,6 +170,7 @@ class Adit {
   std::vector<SiteFrame> sites_{SiteFrame{}};  // those whose radars have been heard, the first radar's always
   TrackFile tracks_;
   std::vector<ClutterMap> clutter_;
+  std::vector<std::vector<ClutterPlace>> awaited_clutter_;  // of each map: loaded with the first sector
   Correlator correlator_;
   TrackMotion motion_;
   TrackJudge judge_;

@@ -14,6 +14,7 @@
 #include <tws_core/units.h>
 
 #include "adit_params_reader.h"
+#include "clutter_csv.h"
 #include "plot_csv.h"
 #include "radar_spec.h"
 #include "sector_feed.h"
@@ -27,6 +28,7 @@ struct Options {
   std::vector<RadarSpec> radars;
   std::uint32_t capacity = 0;  // 0: the parameter file's
   double epochs = 0.0;
+  std::string clutter_map, save_clutter_map;  // files; empty: none
 };
 
 tws::Rotation rotationOf(const RadarSpec& spec, const std::vector<tws::Plot>& plots) {
@@ -73,6 +75,7 @@ AditParams baseParams(const Options& options) {
 /// All that the tracker gets, found and checked before anything is written.
 struct Input {
   AditParams params;
+  std::vector<ClutterPlace> clutter;
   std::vector<SectorFeed> feeds;
   double first_time = std::numeric_limits<double>::infinity();
   double last_time = -std::numeric_limits<double>::infinity();
@@ -102,6 +105,7 @@ Input inputOf(const Options& options, PlotTable& table) {
     input.feeds.emplace_back(plots, rotation);
   }
   check(input.params);
+  if (!options.clutter_map.empty()) input.clutter = loadClutterFile(options.clutter_map, ClutterLimits(input.params));
   return input;
 }
 
@@ -114,6 +118,7 @@ class Run {
         adit_(input_.params, [this](const SectorReport& r) { onSector(r); }) {}
 
   void go() {
+    adit_.loadClutter(input_.clutter);
     if (epochs_ > 0.0) epoch_ = std::ceil(input_.first_time / epochs_);
     while (SectorFeed* feed = earliest()) {
       pictures(*feed->nextTime());
@@ -123,6 +128,8 @@ class Run {
     adit_.finish();
     if (epochs_ > 0.0) pictures(input_.last_time + 1e-6);
   }
+
+  std::vector<ClutterPlace> clutter() const { return adit_.clutterPlaces(); }
 
   void summary(const PlotTable& table) const {
     const AditCounts& n = adit_.counts();
@@ -188,6 +195,7 @@ void run(const Options& options) {
   tracker.go();
   output.flush();
   if (!output) throw std::runtime_error(options.tracks + ": writing failed");
+  if (!options.save_clutter_map.empty()) saveClutterFile(options.save_clutter_map, tracker.clutter());
   tracker.summary(table);
 }
 
@@ -211,6 +219,8 @@ std::optional<int> parse(Options& options, int argc, char** argv) {
       ->check(CLI::Range(2U, 1000001U));
   app.add_option("--epochs", options.epochs, "write the picture at each multiple of so many seconds")
       ->check(epochsProblem);
+  app.add_option("--clutter-map", options.clutter_map, "clutter that is known from the start: a file as saved");
+  app.add_option("--save-clutter-map", options.save_clutter_map, "write what is clutter at the end into this file");
   app.failure_message([](const CLI::App*, const CLI::Error& error) {
     return std::string("adit_csv: ") + error.what() + " (adit_csv --help says more)\n";
   });

@@ -14,6 +14,7 @@
 
 #include "adit.h"
 #include "adit_params_reader.h"
+#include "clutter_port.h"
 #include "operator_port.h"
 #include "radar_sites.h"
 #include "status_report.h"
@@ -31,6 +32,7 @@ struct NodeParams {
   RadarInputs::Options inputs;
   std::size_t overflow = 20;  // sectors behind the antenna
   std::string point_topic;
+  std::string clutter_map;  // file
 };
 
 NodeParams readNodeParams(Bus& bus) {
@@ -43,6 +45,7 @@ NodeParams readNodeParams(Bus& bus) {
   reader.number("restart_limit_s", params.inputs.restart_limit, 0.5, 3600.0);
   reader.integer("overflow_sectors", params.overflow, 0, 1000000);
   reader.text("point_topic", params.point_topic);
+  reader.text("clutter_map", params.clutter_map);
   reader.done();
   if (params.inputs.wait_limit >= params.adit.skew_limit) {
     reader.fail("wait_limit_s", "must be less than skew_limit_s, or what replaces lost messages comes too late");
@@ -83,6 +86,8 @@ class AditNode::Impl {
         clutter_(bus.advertise<tws_msgs::ClutterMap>("/" + bus.name() + "/clutter_map", true)),
         status_(bus.advertise<tws_msgs::TrackerStatus>("/" + bus.name() + "/status")),
         operators_(bus, params_.frame, params_.point_topic, operatorHost()),
+        clutter_port_(bus, operators_, params_.adit, params_.clutter_map,
+                      [this] { return adit_ && adit_->counts().sectors > 0 ? &*adit_ : nullptr; }),
         sites_(bus, params_.frame, namesOf(params_.adit),
                [this](std::size_t radar) -> const std::string& { return inputs_.frame(radar); }),
         inputs_(
@@ -103,6 +108,7 @@ class AditNode::Impl {
     totals_ = AditCounts{};
     heard_.assign(params_.adit.radars.size(), -std::numeric_limits<double>::infinity());
     adit_.emplace(params_.adit, [this](const SectorReport& report) { publish(report); });
+    clutter_port_.beginRun();
   }
 
   OperatorPort::Host operatorHost() {
@@ -142,6 +148,7 @@ class AditNode::Impl {
   }
 
   bool workOne() {
+    operators_.beforeSector(*adit_);
     if (!adit_->step()) return false;
     afterSector();
     return true;
@@ -255,6 +262,7 @@ class AditNode::Impl {
   tws_runtime::Publisher<tws_msgs::ClutterMap> clutter_;
   tws_runtime::Publisher<tws_msgs::TrackerStatus> status_;
   OperatorPort operators_;
+  ClutterPort clutter_port_;
   std::deque<std::pair<std::size_t, tws::RadarSector>> waiting_;
   RadarSites sites_;
   std::uint32_t sequence_ = 0;

@@ -11,19 +11,60 @@ namespace {
 // A point updated so recently has been met on this scan already and has changed its sector since. The report's second
 // is longer than a scan of a fast radar: then half a scan counts.
 constexpr double kSameScan = 1.0;  // [s]
+
+/// One that no radar has seen yet.
+ClutterPoint pointAt(double range, double azimuth, double time) {
+  ClutterPoint point;
+  point.range = range;
+  point.azimuth = azimuth;
+  point.first_time = point.last_update = time;
+  point.updated.fill(kNever);
+  return point;
+}
+
+using NumbersBySector = std::array<std::vector<std::uint32_t>, tws::kSectors>;
+
+/// Takes the nearest point out of `there` that lies within the region round the place.
+std::optional<std::uint32_t> claimNearest(NumbersBySector& there, const std::vector<ClutterPoint>& points,
+                                          const ClutterPlace& place, const Gate& region) {
+  std::optional<std::uint32_t> nearest;
+  double least = 0.0;
+  std::vector<std::uint32_t>* home = nullptr;
+  for (int offset = -1; offset <= 1; ++offset) {
+    auto& numbers = there[static_cast<std::size_t>(tws::wrapSector(tws::sectorOf(place.azimuth) + offset))];
+    auto n = std::lower_bound(numbers.begin(), numbers.end(), place.range - region.range,
+                              [&](std::uint32_t number, double range) { return points[number].range < range; });
+    for (; n != numbers.end() && points[*n].range <= place.range + region.range; ++n) {
+      const double away = std::abs(tws::angularDifference(points[*n].azimuth, place.azimuth));
+      const double distance = effectiveDistance(region, std::abs(points[*n].range - place.range), away);
+      if (away > region.azimuth || (nearest && distance >= least)) continue;
+      nearest = *n;
+      least = distance;
+      home = &numbers;
+    }
+  }
+  if (nearest) home->erase(std::find(home->begin(), home->end(), *nearest));
+  return nearest;
+}
+
 }  // namespace
 
 ClutterMap::ClutterMap(const ClutterParams& params, const ConversionParams& conversion)
     : params_(params), conversion_(conversion), numbers_(params.capacity), sectors_(params.capacity) {}
 
-Detection* ClutterMap::nearest(const ClutterPoint& point, RadarState& radar, std::int64_t running) const {
-  double range_gate = params_.gate.range, azimuth_gate = params_.gate.azimuth;
+Gate ClutterMap::regionAround(double range, const RadarQuality& quality) const {
+  Gate region = params_.gate;
   if (params_.gate_sigmas > 0.0) {
-    range_gate = std::min(range_gate, params_.gate_sigmas * radar.quality.rangeSigma());
+    region.range = std::min(region.range, params_.gate_sigmas * quality.rangeSigma());
     // Close by, where a reflector is larger than the beam's error, the region is as wide as it is deep.
-    azimuth_gate =
-        std::min(azimuth_gate, std::max(params_.gate_sigmas * radar.quality.azimuthSigma(), range_gate / point.range));
+    region.azimuth =
+        std::min(region.azimuth, std::max(params_.gate_sigmas * quality.azimuthSigma(), region.range / range));
   }
+  return region;
+}
+
+Detection* ClutterMap::nearest(const ClutterPoint& point, RadarState& radar, std::int64_t running) const {
+  const Gate region = regionAround(point.range, radar.quality);
   Detection* best = nullptr;
   double least = 0.0;
   const auto closest = [&](Detection& detection, double range_difference, double azimuth_difference) {
@@ -33,7 +74,7 @@ Detection* ClutterMap::nearest(const ClutterPoint& point, RadarState& radar, std
     least = distance;
   };
   for (std::int64_t sector = running - 1; sector <= running + 1; ++sector) {
-    radar.detections.at(sector).near(point.range, point.azimuth, range_gate, azimuth_gate, closest);
+    radar.detections.at(sector).near(point.range, point.azimuth, region.range, region.azimuth, closest);
   }
   return best;
 }
@@ -91,12 +132,10 @@ std::vector<ClutterPoint> ClutterMap::process(std::size_t radar_index, RadarStat
   return moving;
 }
 
-bool ClutterMap::insert(ClutterPoint point, std::size_t radar) {
+bool ClutterMap::insert(ClutterPoint point) {
   const auto number = numbers_.take();
   if (!number) return false;
   point.number = *number;
-  point.updated.fill(kNever);
-  point.updated[radar] = point.last_update;
   if (points_.size() <= *number) points_.resize(*number + 1);
   points_[*number] = point;
   sectors_.addLast(*number, tws::sectorOf(point.azimuth));
@@ -105,20 +144,46 @@ bool ClutterMap::insert(ClutterPoint point, std::size_t radar) {
 }
 
 bool ClutterMap::initiate(const tws::Plot& plot, std::size_t radar) {
-  ClutterPoint point;
-  point.range = plot.range;
-  point.azimuth = plot.azimuth;
-  point.first_time = point.last_update = plot.time;
-  return insert(point, radar);
+  ClutterPoint point = pointAt(plot.range, plot.azimuth, plot.time);
+  point.updated[radar] = plot.time;
+  return insert(point);
 }
 
 bool ClutterMap::adopt(double range, double azimuth, double time, std::size_t radar) {
-  ClutterPoint point;
-  point.range = range;
-  point.azimuth = azimuth;
-  point.first_time = point.last_update = time;
+  ClutterPoint point = pointAt(range, azimuth, time);
   point.hits = static_cast<std::int32_t>(params_.hits);
-  return insert(point, radar);
+  point.updated[radar] = time;
+  return insert(point);
+}
+
+/// Numbers of the points in each sector, by range.
+std::array<std::vector<std::uint32_t>, tws::kSectors> ClutterMap::byRange() const {
+  std::array<std::vector<std::uint32_t>, tws::kSectors> sorted;
+  const auto nearer = [&](std::uint32_t a, std::uint32_t b) { return points_[a].range < points_[b].range; };
+  for (int sector = 0; sector < tws::kSectors; ++sector) {
+    auto& numbers = sorted[static_cast<std::size_t>(sector)];
+    for (auto n = sectors_.first(sector); n != tws::SectorFile::kNone; n = sectors_.next(n)) numbers.push_back(n);
+    std::stable_sort(numbers.begin(), numbers.end(), nearer);
+  }
+  return sorted;
+}
+
+std::size_t ClutterMap::load(const std::vector<ClutterPlace>& places, double time, const RadarQuality& quality) {
+  auto there = byRange();  // those that no place has claimed
+  std::size_t refused = 0;
+  for (const ClutterPlace& place : places) {
+    const auto claimed = claimNearest(there, points_, place, regionAround(place.range, quality));
+    if (claimed) {
+      ClutterPoint& point = points_[*claimed];
+      point.hits = std::max(point.hits, hitsWhenKnown());
+      point.last_update = std::max(point.last_update, time);
+      continue;
+    }
+    ClutterPoint point = pointAt(place.range, place.azimuth, time);
+    point.hits = hitsWhenKnown();
+    if (!insert(point)) ++refused;
+  }
+  return refused;
 }
 
 void ClutterMap::drop(std::uint32_t number) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -7,8 +8,10 @@
 
 #include <tws_core/number_file.h>
 #include <tws_core/sector_file.h>
+#include <tws_core/sectors.h>
 
 #include "adit_params.h"
+#include "clutter_places.h"
 #include "radar_state.h"
 #include "track.h"
 
@@ -42,18 +45,28 @@ class ClutterMap {
   /// A point from a track that has become slow: it takes detections at once.
   bool adopt(double range, double azimuth, double time, std::size_t radar);
 
+  /// Clutter is known to stand at these places: points that take detections at once, as if updated last at `time` [s].
+  /// A point of the map that is there already (each serves one place) counts as known in place of a new one. `quality`
+  /// is that of the map's radar. Returns for how many there was no number.
+  std::size_t load(const std::vector<ClutterPlace>& places, double time, const RadarQuality& quality);
+
   /// A firm track has used the detection that this point on probation was after: it was an aircraft. Unknown numbers
   /// are ignored.
   void disclaim(std::uint32_t number);
 
   std::uint32_t size() const { return size_; }
   bool absorbing(const ClutterPoint& point) const { return point.hits >= params_.hits; }
+  /// Absorbing, and not from a single detection: the report's points absorb from the start, whatever they are.
+  bool known(const ClutterPoint& point) const { return point.hits >= hitsWhenKnown(); }
   /// All points, by sector.
   std::vector<ClutterPoint> points() const;
   std::uint64_t absorbed() const { return absorbed_; }
 
  private:
-  bool insert(ClutterPoint point, std::size_t radar);
+  bool insert(ClutterPoint point);
+  std::int32_t hitsWhenKnown() const { return std::max(2, static_cast<std::int32_t>(params_.hits)); }
+  Gate regionAround(double range, const RadarQuality& quality) const;
+  std::array<std::vector<std::uint32_t>, tws::kSectors> byRange() const;
   void drop(std::uint32_t number);
   Detection* nearest(const ClutterPoint& point, RadarState& radar, std::int64_t running) const;
   void take(ClutterPoint& point, Detection& detection, std::size_t radar);

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <tws_core/angles.h>
+#include <tws_core/random_test_helpers.h>
 
 namespace adit_tracker {
 namespace {
@@ -203,6 +204,94 @@ TEST_F(ClutterMapTest, AdoptsASlowTrackAsAPointThatAbsorbsAtOnce) {
   see(64 + 10, {plotAt(7.45, 50e3, 10.5 * kSector)});
   process(64 + 10);
   EXPECT_TRUE(detection(64 + 10).used);
+}
+
+// If this fails, what was known of the clutter is of no use for the first turns.
+TEST_F(ClutterMapTest, WhatIsLoadedAbsorbsAtOnceWhereverTheBeamIs) {
+  EXPECT_EQ(map_.load({{"", 50e3, 10.5 * kSector}}, 7.0, radars_[0].quality), 0U);
+  see(64 + 10, {plotAt(7.45, 50e3, 10.5 * kSector)});
+  process(64 + 10);
+  EXPECT_TRUE(detection(64 + 10).used);
+}
+
+TEST_F(ClutterMapTest, WhatIsLoadedIsForgottenAfterFortySecondsFromThen) {
+  EXPECT_EQ(map_.load({{"", 50e3, 10.5 * kSector}}, 7.0, radars_[0].quality), 0U);
+  process(64 * 7 + 10);  // 45.9 s
+  EXPECT_EQ(map_.size(), 1U);
+  process(64 * 7 + 20);
+  EXPECT_EQ(map_.size(), 1U);
+  process(64 * 8 + 10);  // 52.3 s
+  EXPECT_EQ(map_.size(), 0U);
+}
+
+// If this fails, each loading adds the same points once more, until all numbers are in use.
+TEST_F(ClutterMapTest, WhatIsLoadedTwiceIsThereOnceAndNeighboursStayTwo) {
+  const std::vector<ClutterPlace> places = {{"", 50e3, 10.999 * kSector}, {"", 50.3e3, 11.001 * kSector}};
+  for (int time = 1; time <= 3; ++time) EXPECT_EQ(map_.load(places, time, radars_[0].quality), 0U);
+  ASSERT_EQ(map_.size(), 2U);
+  EXPECT_DOUBLE_EQ(map_.points()[0].range, 50e3);
+  EXPECT_DOUBLE_EQ(map_.points()[1].range, 50.3e3);
+  EXPECT_DOUBLE_EQ(map_.points()[0].last_update, 3.0);
+}
+
+TEST_F(ClutterMapTest, APlaceNamesTheNearestPointWithinTheRegionAndNoOther) {
+  for (const double range : {50e3, 50.4e3, 51.1e3}) ASSERT_TRUE(map_.initiate(plotAt(1.05, range, 10.5 * kSector), 0));
+  EXPECT_EQ(map_.load({{"", 50.5e3, 10.5 * kSector}}, 2.0, radars_[0].quality), 0U);
+  EXPECT_EQ(map_.size(), 3U);
+  for (const ClutterPoint& point : map_.points()) EXPECT_EQ(map_.known(point), point.range == 50.4e3);
+  EXPECT_EQ(map_.load({{"", 52e3, 10.5 * kSector}}, 2.0, radars_[0].quality), 0U);  // 900 m away is another one
+  EXPECT_EQ(map_.size(), 4U);
+}
+
+// By brute force: as many points as a one-to-one matching by the same rule leaves.
+TEST_F(ClutterMapTest, LoadingMatchesAsASearchThroughAllPointsDoes) {
+  auto generator = tws::seededGenerator();
+  const auto somewhere = [&] {
+    return ClutterPlace{"", tws::uniform(generator, 20e3, 24e3), tws::wrapTwoPi(tws::uniform(generator, -0.2, 0.2))};
+  };
+  std::vector<ClutterPlace> there(150), places(100);
+  for (ClutterPlace& place : there) {
+    place = somewhere();
+    ASSERT_TRUE(map_.initiate(plotAt(1.0, place.range, place.azimuth), 0));
+  }
+  std::size_t matched = 0;
+  for (ClutterPlace& place : places) {
+    place = somewhere();
+    std::size_t best = there.size();
+    double least = 0.0;
+    for (std::size_t i = 0; i < there.size(); ++i) {
+      const double range = std::abs(there[i].range - place.range);
+      const double azimuth = std::abs(tws::angularDifference(there[i].azimuth, place.azimuth));
+      const double distance = effectiveDistance(params_.clutter.gate, range, azimuth);
+      if (range > 609.6 || azimuth > tws::radians(1.4) || (best < there.size() && distance >= least)) continue;
+      best = i;
+      least = distance;
+    }
+    if (best == there.size()) continue;
+    there.erase(there.begin() + static_cast<std::ptrdiff_t>(best));
+    ++matched;
+  }
+  EXPECT_EQ(map_.load(places, 2.0, radars_[0].quality), 0U);
+  EXPECT_EQ(map_.size(), 150U + places.size() - matched);
+  EXPECT_GT(matched, 10U);
+  EXPECT_LT(matched, places.size());
+}
+
+TEST_F(ClutterMapTest, SaysHowManyPlacesGotNoNumber) {
+  std::vector<ClutterPlace> places;
+  for (int i = 0; i < 260; ++i) places.push_back({"", 2000.0 * (i + 1), 1.0});
+  EXPECT_EQ(map_.load(places, 2.0, radars_[0].quality), 5U);
+  EXPECT_EQ(map_.size(), 255U);
+}
+
+// The letter's points absorb from the start: an aircraft's first plot among them.
+TEST_F(ClutterMapTest, APointOfOneDetectionIsNotKnownToBeClutter) {
+  ASSERT_TRUE(map_.initiate(plotAt(1.05, 50e3, 10.5 * kSector), 0));
+  EXPECT_TRUE(map_.absorbing(map_.points()[0]));
+  EXPECT_FALSE(map_.known(map_.points()[0]));
+  see(64 + 10, {plotAt(7.45, 50e3, 10.5 * kSector)});
+  process(64 + 10);
+  EXPECT_TRUE(map_.known(map_.points()[0]));
 }
 
 class DefaultClutterMapTest : public ClutterMapTest {

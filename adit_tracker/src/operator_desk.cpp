@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include <tws_core/angles.h>
 
@@ -102,6 +103,19 @@ OperatorAnswer dropAll(Adit& adit) {
   return answer;
 }
 
+OperatorAnswer loadClutter(Adit& adit, const OperatorRequest& request) {
+  if (request.clutter.empty()) return refused("there are no clutter points to load");
+  OperatorAnswer answer;
+  try {
+    const std::size_t without_number = adit.loadClutter(request.clutter);
+    answer.count =
+        static_cast<std::uint32_t>(request.clutter.size() - std::min(request.clutter.size(), without_number));
+  } catch (const std::invalid_argument& error) {
+    return refused(error.what());
+  }
+  return answer;
+}
+
 /// Requests that name a track.
 OperatorAnswer actOn(Adit& adit, Slot slot, const OperatorRequest& request) {
   if (request.action == OperatorAction::kHandOff) adit.handOff(slot, !request.cancel);
@@ -142,6 +156,8 @@ OperatorAnswer carryOut(Adit& adit, const OperatorRequest& request) {
       return initiate(adit, request);
     case OperatorAction::kDropAll:
       return dropAll(adit);
+    case OperatorAction::kLoadClutter:
+      return loadClutter(adit, request);
   }
   return refused("request " + std::to_string(static_cast<int>(request.action)) + " is unknown");
 }

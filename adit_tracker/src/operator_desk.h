@@ -22,7 +22,8 @@ enum class OperatorAction : std::uint8_t {
   kDesignate = 20,
   kInitiate = 21,
   kDrop = 22,
-  kDropAll = 23
+  kDropAll = 23,
+  kLoadClutter = 24
 };
 
 struct OperatorRequest {
@@ -35,11 +36,12 @@ struct OperatorRequest {
                                         // closing speed `from` [m/s]
   std::uint32_t start = 0;              // of a list: least number
   double x = kUnused, y = kUnused;      // point, east and north of the radars [m]
+  std::vector<ClutterPlace> clutter;    // to be loaded
 };
 
 struct OperatorAnswer {
   std::string refusal;                  // why not; empty: it was done
-  std::uint32_t count = 0;              // tracks that fulfil the request (NUM)
+  std::uint32_t count = 0;              // tracks that fulfil the request (NUM); points loaded
   std::uint32_t next = 0;               // least number of the next page; 0: there is none (ISTART)
   std::vector<TrackFile::Slot> tracks;  // a page of them, by number (JTAR)
 };

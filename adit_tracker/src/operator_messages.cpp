@@ -16,7 +16,19 @@ OperatorRequest requestOf(const tws_msgs::OperatorRequest& message, const tws_ru
   const double dx = message.position.x - site.x, dy = message.position.y - site.y;
   request.x = c * dx + s * dy;
   request.y = c * dy - s * dx;
+  for (const tws_msgs::ClutterPoint& p : message.clutter) request.clutter.push_back({p.radar, p.range, p.azimuth});
   return request;
+}
+
+std::vector<tws_msgs::ClutterPoint> clutterPoints(const std::vector<ClutterPlace>& places) {
+  std::vector<tws_msgs::ClutterPoint> points;
+  for (const ClutterPlace& place : places) {
+    tws_msgs::ClutterPoint& point = points.emplace_back();
+    point.radar = place.radar;
+    point.range = place.range;
+    point.azimuth = place.azimuth;
+  }
+  return points;
 }
 
 void setEffect(tws_msgs::OperatorRequest& message, const Adit& adit, const OperatorAnswer& answer) {

@@ -70,6 +70,22 @@ OperatorAnswer OperatorPort::carryOutAndTell(Adit& adit, Request& message) {
   return answer;
 }
 
+void OperatorPort::order(Message& message, const std::string& refusal) {
+  Adit* const adit = readyFor(message);
+  if (adit == nullptr) return;
+  if (refusal.empty())
+    carryOutAndTell(*adit, message);
+  else
+    tellRefusal(*adit, message, refusal);
+}
+
+void OperatorPort::tellRefusal(const Adit& adit, Message& message, const std::string& refusal) {
+  OperatorAnswer answer;
+  answer.refusal = refusal;
+  setEffect(message, adit, answer);
+  told_.publish(message);
+}
+
 bool OperatorPort::command(const tws_msgs::OperatorCommand::Request& request,
                            tws_msgs::OperatorCommand::Response& response) {
   Request message = blank(request.request);
@@ -145,9 +161,33 @@ void OperatorPort::hearRecorded(const Request& message) {
   if (message.result != Request::BUSY) recorded_.push_back(message);
 }
 
+void OperatorPort::beforeSector(Adit& adit) {
+  if (adit.counts().sectors > 0) return;
+  const auto at_start = [&](const Request& m) { return m.radar.empty() && m.run == run_; };
+  for (auto found = recorded_.begin();
+       (found = std::find_if(recorded_.begin(), recorded_.end(), at_start)) != recorded_.end();
+       recorded_.erase(found)) {
+    // The file that was loaded when this was recorded may have been given once more.
+    const auto same = [&](const Request& done) { return done.clutter == found->clutter; };
+    if (std::any_of(at_start_.begin(), at_start_.end(), same)) continue;
+    const OperatorAnswer answer = carryOut(adit, requestOf(*found, tws_runtime::Site{}));
+    at_start_.push_back(*found);
+    setEffect(at_start_.back(), adit, answer);
+  }
+}
+
 void OperatorPort::afterSector(Adit& adit) {
+  for (Request& message : at_start_) {
+    message.header.seq = 0;
+    message.header.stamp = tws_runtime::toTime(adit.latest().enter_time);
+    message.radar.clear();
+    message.running_sector = 0;
+    told_.publish(message);
+  }
+  at_start_.clear();
   const auto& radars = adit.params().radars;
   const auto due = [&](const Request& m) {
+    if (m.radar.empty()) return m.run == run_;  // it should have been here before the first sector
     for (std::size_t i = 0; i < radars.size(); ++i) {
       const auto passed = static_cast<std::int32_t>(static_cast<std::uint32_t>(adit.front(i)) - m.running_sector);
       if (radars[i].name == m.radar) return m.run == run_ && passed > 0;
@@ -165,7 +205,11 @@ void OperatorPort::afterSector(Adit& adit) {
 void OperatorPort::repeat(Adit& adit, const Request& recorded) {
   Request message = recorded;
   message.header.seq = 0;
-  carryOutAndTell(adit, message);
+  // A file that could not be loaded is not here to be tried again.
+  if (recorded.request == Request::LOAD_CLUTTER && recorded.result == Request::REFUSED)
+    tellRefusal(adit, message, recorded.message);
+  else
+    carryOutAndTell(adit, message);
   if (message.radar != recorded.radar || message.running_sector != recorded.running_sector)
     bus_.counter("late recorded requests").add("request " + std::to_string(message.request) + " came too late");
   else if (!sameEffect(message, recorded))

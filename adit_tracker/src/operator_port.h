@@ -31,23 +31,32 @@ class OperatorPort {
   /// Points on `point_topic` (empty: none) start tracks. `frame` is that of positions.
   OperatorPort(tws_runtime::Bus& bus, const std::string& frame, const std::string& point_topic, Host host);
 
+  /// To be called before a sector may be processed: repeats what was recorded before the run's first one.
+  void beforeSector(Adit& adit);
   /// To be called after each sector: repeats what was recorded there.
   void afterSector(Adit& adit);
   /// Time has gone back.
   void beginNewRun() { ++run_; }
 
- private:
   using Message = tws_msgs::OperatorRequest;
+  /// A request that asks for nothing yet.
+  Message blank(std::uint8_t request) const;
+  /// Carries a request out if the tracker has time for it; the message then says what came of it, to all. `refusal`:
+  /// why it cannot be carried out at all.
+  void order(Message& message, const std::string& refusal = "");
+  /// The same before the first sector of this run.
+  void orderAtStart(const Message& message) { recorded_.push_back(message); }
 
+ private:
   bool command(const tws_msgs::OperatorCommand::Request& request, tws_msgs::OperatorCommand::Response& response);
   bool initiate(const tws_msgs::InitiateTrack::Request& request, tws_msgs::InitiateTrack::Response& response);
   bool drop(const tws_msgs::DropTrack::Request& request, tws_msgs::DropTrack::Response& response);
   void hearPoint(const geometry_msgs::PointStamped& point);
   Message pointRequest(const geometry_msgs::PointStamped& point, std::string& why) const;
 
-  Message blank(std::uint8_t request) const;
   Adit* readyFor(Message& message);
   OperatorAnswer carryOutAndTell(Adit& adit, Message& message);
+  void tellRefusal(const Adit& adit, Message& message, const std::string& refusal);
   void hearRecorded(const Message& message);
   void repeat(Adit& adit, const Message& recorded);
 
@@ -56,7 +65,8 @@ class OperatorPort {
   Host host_;
   tws_runtime::Publisher<Message> told_;
   std::uint32_t run_ = 0;
-  std::deque<Message> recorded_;  // still to be repeated, in the order in which they came
+  std::deque<Message> recorded_;   // still to be repeated, in the order in which they came
+  std::vector<Message> at_start_;  // took effect before the first sector: told after it, when there is a time
 };
 
 }  // namespace adit_tracker

@@ -1,7 +1,6 @@
 #include "plot_csv.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <istream>
@@ -10,6 +9,8 @@
 
 #include <tws_core/angles.h>
 #include <tws_core/units.h>
+
+#include "csv_fields.h"
 
 namespace adit_tracker {
 namespace {
@@ -22,39 +23,11 @@ constexpr std::size_t kFewestPlots = 3;       // of a stretch: fewer make no tra
 constexpr double kFarthest = 30.0 * 86400.0;  // from the longest stretch [s]
 constexpr const char* kHeader[kColumns] = {"t_s", "radar", "scan", "range_m", "az_deg"};
 
-std::string_view trimmed(std::string_view text) {
-  const auto first = text.find_first_not_of(" \t\r");
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
-}
-
-/// The first columns of a line; false: there are fewer.
-bool split(std::string_view line, std::string_view (&columns)[kColumns]) {
-  for (std::size_t i = 0; i < kColumns; ++i) {
-    if (line.data() == nullptr) return false;
-    const auto comma = line.find(',');
-    columns[i] = trimmed(line.substr(0, comma));
-    line = comma == std::string_view::npos ? std::string_view{} : line.substr(comma + 1);
-  }
-  return true;
-}
-
-/// Throws the reason.
-double number(std::string_view text, const char* column) {
-  double value = 0.0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size()) {
-    throw std::runtime_error(std::string(column) + " is no number: '" + std::string(text) + "'");
-  }
-  if (!std::isfinite(value)) throw std::runtime_error(std::string(column) + " is not finite");
-  return value;
-}
-
 tws::Plot plotOf(const std::string_view (&columns)[kColumns]) {
   tws::Plot plot;
-  plot.time = number(columns[0], kHeader[0]);
-  plot.range = number(columns[3], kHeader[3]);
-  plot.azimuth = tws::wrapTwoPi(tws::radians(number(columns[4], kHeader[4])));
+  plot.time = numberIn(columns[0], kHeader[0]);
+  plot.range = numberIn(columns[3], kHeader[3]);
+  plot.azimuth = tws::wrapTwoPi(tws::radians(numberIn(columns[4], kHeader[4])));
   if (std::abs(plot.time) > kGreatestTime) {
     throw std::runtime_error("t_s is beyond 1e10 s: " + std::string(columns[0]));
   }
@@ -65,7 +38,7 @@ tws::Plot plotOf(const std::string_view (&columns)[kColumns]) {
 
 void checkHeader(const std::string& line, const std::string& name) {
   std::string_view columns[kColumns];
-  const bool good = split(line, columns) && std::equal(columns, columns + kColumns, kHeader);
+  const bool good = splitFields(line, columns) && std::equal(columns, columns + kColumns, kHeader);
   if (!good) throw std::runtime_error(name + ":1: the header must begin with t_s,radar,scan,range_m,az_deg");
 }
 
@@ -97,7 +70,7 @@ class Reader {
   void read(std::size_t number, std::string_view text) {
     try {
       std::string_view columns[kColumns];
-      if (!split(text, columns)) throw std::runtime_error("has fewer than five columns");
+      if (!splitFields(text, columns)) throw std::runtime_error("has fewer than five columns");
       const tws::Plot plot = plotOf(columns);
       lines_.push_back({number, std::string(columns[1]), plot});
     } catch (const std::runtime_error& error) {

@@ -52,6 +52,22 @@ class AditCsv(unittest.TestCase):
         self.assertEqual(lines[0], "t_s,track_id,x_m,y_m,vx_mps,vy_mps,status")
         return [line.split(",") for line in lines[1:]], done.stderr
 
+    # If this fails, what one file of plots taught about the clutter is lost for the next.
+    def test_a_clutter_map_that_was_saved_keeps_rocks_from_starting_tracks(self):
+        rocks = [f"{6 * scan + 6 * azimuth / 360:.4f},a,{scan},{20000 + 40 * azimuth},{azimuth}"
+                 for scan in range(20) for azimuth in range(30, 360, 30)]
+        saved = os.path.join(self.folder.name, "map.csv")
+        bare, _ = self.track(rocks, "--save-clutter-map", saved, radars=("a:6:0",))
+        knowing, _ = self.track(rocks, "--clutter-map", saved, radars=("a:6:0",))
+        self.assertEqual(len({row[1] for row in bare}), 11)
+        self.assertEqual(knowing, [])
+        with open(saved) as file:
+            self.assertEqual(file.read().splitlines()[1:3], ["radar,range_m,az_deg", "a,21200.0,30.0000"])
+        with open(saved, "a") as file:
+            file.write("b,1000,1\n")
+        done = self.start("--detections", self.detections, "--tracks", self.tracks, "--radar", "a:6:0", "--clutter-map", saved)
+        self.assertEqual((done.returncode, done.stderr), (1, f"adit_csv: {saved}:14: there is no radar 'b'\n"))
+
     # If this fails, a script cannot tell a slip in its command line from a bad file.
     def test_bad_usage_exits_with_2(self):
         for arguments in ([], ["--detections", "x"], ["--detections", "x", "--tracks", "y", "--nonsense"],

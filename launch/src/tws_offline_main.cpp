@@ -21,6 +21,7 @@ struct Options {
   std::string input;
   std::string out = ".";
   std::string params = "default";
+  std::string clutter_map;
   std::string correlator;
   std::string windows;
   std::string window_params;
@@ -58,6 +59,8 @@ std::vector<tws_launch::NodeDescription> describe(const Options& options, const 
   }
   if (!options.range_params.empty()) arguments.push_back("range_params:=" + options.range_params);
   if (input.feeds_tracks) arguments.emplace_back("fed:=true");
+  if (!options.clutter_map.empty())
+    arguments.push_back("clutter_map:=" + std::filesystem::absolute(options.clutter_map).string());
   if (!options.correlator.empty())
     arguments.push_back("correlator:=" + std::filesystem::absolute(options.correlator).string());
   const std::string& windows = options.windows.empty() ? input.windows : options.windows;
@@ -110,6 +113,8 @@ int main(int argc, char** argv) {
     app.add_option("--out", options.out, "folder for run.bag");
     app.add_option("--params", options.params,
                    "parameter set of the ADIT tracker: default, nrl7952 or the path of a file");
+    app.add_option("--clutter-map", options.clutter_map, "clutter that the ADIT tracker knows from the start: a file")
+        ->check(CLI::ExistingFile);
     app.add_option("--frame-builder", options.frame_builder,
                    "parameters of the frame builder, in place of its own file");
     app.add_option("--mfa-stub", options.mfa_stub, "parameters of the tracker of its frames, in place of its own file");
