@@ -59,6 +59,7 @@ Adit::Adit(const AditParams& params, Sink sink)
       tracks_(params.capacity),
       correlator_(params),
       motion_(params),
+      bifurcation_(params),
       judge_(params) {
   for (const RadarParams& radar : params.radars) radars_.emplace_back(radar, params.learn_noise);
   const std::size_t maps = params.clutter.per_radar ? radars_.size() : 1;
@@ -222,12 +223,15 @@ void Adit::correlate(const Executive::Turn& turn) {
   constexpr std::size_t kFetchAhead = 3;
   const auto& pairs =
       correlator_.correlate(tracks_, primary_, secondary_, radarOf(turn), turn.running, radarOf(turn).site);
+  if (params_.bifurcation) bifurcation_.share(tracks_, motion_, correlator_, pairs, primary_, radarOf(turn), turn);
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     if (i + kFetchAhead < pairs.size()) tracks_.fetchAhead(pairs[i + kFetchAhead].slot);
     update(turn, pairs[i].slot, *pairs[i].detection);
   }
   for (const auto slot : primary_) {
-    if (!metOnThisScan(tracks_.at(slot), turn.radar, turn.running)) miss(turn, slot);
+    if (metOnThisScan(tracks_.at(slot), turn.radar, turn.running)) continue;
+    const Detection* const shared = bifurcation_.hiding(slot);
+    shared ? hide(turn, slot, *shared) : miss(turn, slot);
   }
 }
 
@@ -249,12 +253,14 @@ void Adit::update(const Executive::Turn& turn, TrackFile::Slot slot, Detection& 
   Track& track = tracks_.at(slot);
   RadarQuality& quality = radarOf(turn).quality;
   const tws::Plot& plot = detection.plot;
-  if (tellsErrors(track, plot)) {
+  if (tellsErrors(track, plot) && bifurcation_.asSeenBy(track, detection) == nullptr) {
     const Prediction& p = track.predicted;
     quality.learnErrors((plot.range - p.range) / std::sqrt(p.innovation.xx),
                         p.range * tws::angularDifference(plot.azimuth, p.azimuth) / std::sqrt(p.innovation.yy));
   }
-  const double log_likelihood = motion_.update(track, plot, quality, turn.radar);
+  const tws::Plot* const merged = bifurcation_.asSeenBy(track, detection);
+  const double log_likelihood = motion_.update(track, merged ? *merged : plot, quality, turn.radar);
+  if (merged == nullptr) track.apart = plot.time;
   track.coasting = false;
   track.updated[turn.radar] = plot.time;
   track.illuminated[turn.radar] = Antenna::near(plot.azimuth, turn.running);
@@ -264,6 +270,22 @@ void Adit::update(const Executive::Turn& turn, TrackFile::Slot slot, Detection& 
   const bool disputed = params_.clutter.yields_to_tracks && detection.claim != Detection::kNoClaim;
   if (judge_.updated(track, turn.radar, log_likelihood, quality, !disputed)) ++counts_.tracks_firm;
   if (detection.claim != Detection::kNoClaim && clutterYieldsTo(track)) clutterOf(turn.radar).disclaim(detection.claim);
+  report_.words.push_back({slot, TrackEvent::kUpdated, track.smoothed.time});
+  predictNext(track, radarOf(turn).site);
+}
+
+/// Illuminated and not detected by itself: it shares the detection of another track, if it still is another one.
+void Adit::hide(const Executive::Turn& turn, TrackFile::Slot slot, const Detection& detection) {
+  Track& track = tracks_.at(slot);
+  if (bifurcation_.hasMerged(track, detection)) return drop(slot, detection.plot.time);
+  const std::int32_t updates = track.updates;
+  motion_.update(track, *bifurcation_.asSeenBy(track, detection), radarOf(turn).quality, turn.radar);
+  track.updates = updates;  // no evidence
+  judge_.hidden(track, detection.plot.time);
+  track.coasting = false;
+  track.updated[turn.radar] = detection.plot.time;
+  track.illuminated[turn.radar] = Antenna::near(detection.plot.azimuth, turn.running);
+  track.detected_by = static_cast<std::uint16_t>(track.detected_by | 1U << turn.radar);
   report_.words.push_back({slot, TrackEvent::kUpdated, track.smoothed.time});
   predictNext(track, radarOf(turn).site);
 }
@@ -325,7 +347,7 @@ void Adit::initiate(const Executive::Turn& turn) {
     if (detection.used) continue;
     detection.used = true;
     ++unused;
-    startTrack(turn.radar, detection.plot);
+    startTrackOrBranch(turn, detection);
     if (detection.claim != Detection::kNoClaim) continue;
     if (!clutterOf(turn.radar).initiate(detection.plot, turn.radar)) ++counts_.refused_clutter;
   }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "adit_params.h"
+#include "bifurcation.h"
 #include "clutter_map.h"
 #include "correlator.h"
 #include "executive.h"
@@ -135,9 +136,11 @@ class Adit {
   bool clutterYieldsTo(const Track& track) const;
   void update(const Executive::Turn& turn, TrackFile::Slot slot, Detection& detection);
   void miss(const Executive::Turn& turn, TrackFile::Slot slot);
+  void hide(const Executive::Turn& turn, TrackFile::Slot slot, const Detection& detection);
   void initiate(const Executive::Turn& turn);
   /// nullptr: there is no number left.
   Track* startTrack(std::size_t radar, const tws::Plot& plot);
+  void startTrackOrBranch(const Executive::Turn& turn, const Detection& detection);
   /// As far as no beam has met it yet.
   std::optional<TrackFile::Slot> newTrack(std::size_t radar, const tws::Plot& plot);
   void convertSlowTracks(const Executive::Turn& turn);
@@ -173,6 +176,7 @@ class Adit {
   std::vector<std::vector<ClutterPlace>> awaited_clutter_;  // of each map: loaded with the first sector
   Correlator correlator_;
   TrackMotion motion_;
+  Bifurcation bifurcation_;
   TrackJudge judge_;
   AditCounts counts_;
   std::uint64_t taken_ = 0;  // sectors

@@ -91,6 +91,8 @@ AditParams AditParams::named(const std::string& name) {
   p.capacity = 256;
   p.filter = FilterKind::kAlphaBeta;
   p.learn_noise = false;
+  p.bifurcation = false;
+  p.parting.firm_updates = 3;  // there is no other evidence
   p.gates = GateKind::kFixed;
   p.life = TrackLife::kTimers;
   p.alpha_beta.damping = 0.9;

@@ -78,6 +78,20 @@ struct ExistenceParams {
   double survival_time = 400.0;           // Mean time that a target stays [s].
 };
 
+/// Targets that fly as one echo, and part.
+struct PartingParams {
+  // The resolution cell of a radar, in standard deviations of its errors, between two echoes.
+  double cell_range_sigmas = 3.5;
+  double cell_azimuth_sigmas = 8.0;
+  double unresolved_time = 120.0;  // Two tracks in one echo are believed to be two targets for so long [s].
+  double branch_time = 12.0;       // The same of a branch that is not firm yet [s].
+  double speed = 200.0;            // Greatest [m/s].
+  double speed_sigma = 75.0;       // Of each velocity component of a branch, about its parent's [m/s].
+  double per_scan = 0.005;         // Expected of a track in a scan, against the false plots near it.
+  double moving_evidence = 0.0;    // A branch becomes firm with this log-likelihood in favour of movement
+  long firm_updates = 2;           // A branch becomes firm with so many detections, which must be evidence enough.
+};
+
 /// What operators get.
 struct OperatorParams {
   std::uint32_t page = 0;      // Most tracks that one answer lists; 0: all of them. The report's is 32.
@@ -106,6 +120,8 @@ struct AditParams {
   ExistenceParams existence;
   ClutterParams clutter;
   ConversionParams conversion;
+  bool bifurcation = true;  // Two tracks may live in one echo, and one track may become two.
+  PartingParams parting;
   OperatorParams operators;
 
   /// The named set without radars: "default" or "nrl7952", the report's letter. Throws std::invalid_argument.

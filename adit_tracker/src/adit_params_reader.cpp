@@ -131,6 +131,19 @@ void readClutter(ParameterReader& reader, AditParams& p) {
   v.done();
 }
 
+void readParting(ParameterReader reader, PartingParams& p) {
+  reader.number("cell_range_sigmas", p.cell_range_sigmas, 0.0, 1000.0);
+  reader.number("cell_azimuth_sigmas", p.cell_azimuth_sigmas, 0.0, 1000.0);
+  reader.number("unresolved_time_s", p.unresolved_time, 0.0, 1e6);
+  reader.number("branch_time_s", p.branch_time, 0.0, 1e6);
+  reader.number("speed_mps", p.speed, 0.0, 1e4);
+  reader.number("speed_sigma_mps", p.speed_sigma, 0.1, 1e5);
+  reader.number("per_scan", p.per_scan, 1e-6, 1e3);
+  reader.number("moving_evidence", p.moving_evidence, -kMost, 1e3);
+  reader.integer("firm_updates", p.firm_updates, 2, 100);
+  reader.done();
+}
+
 void readOperators(ParameterReader reader, OperatorParams& p) {
   reader.integer("page", p.page, 0, 1000001);
   reader.number("point_sigma_m", p.point_sigma, 1.0, 1e5);
@@ -155,6 +168,8 @@ AditParams readAditParams(ParameterReader& reader, const std::string& default_se
   reader.number("gate_sigmas", p.gate_sigmas, 0.5, 20.0);
   readLife(reader, p);
   readClutter(reader, p);
+  reader.flag("bifurcation", p.bifurcation);
+  readParting(reader.map("parting"), p.parting);
   readOperators(reader.map("operator"), p.operators);
   return p;
 }

@@ -62,6 +62,10 @@ std::vector<double> valuesOf(const AditParams& p) {
                      p.conversion.azimuth_rate, static_cast<double>(p.conversion.over_ground),
                      static_cast<double>(p.conversion.from_start), static_cast<double>(p.operators.page),
                      p.operators.point_sigma});
+  const PartingParams& b = p.parting;
+  v.insert(v.end(),
+           {static_cast<double>(p.bifurcation), b.cell_range_sigmas, b.cell_azimuth_sigmas, b.unresolved_time,
+            b.branch_time, b.speed, b.speed_sigma, b.per_scan, static_cast<double>(b.firm_updates), b.moving_evidence});
   return v;
 }
 
@@ -168,6 +172,9 @@ constexpr Mistake kMistakes[] = {
     {"{radars: [{name: a}], timers: {firm_time_s: -1}}", "timers.firm_time_s", "[0, 10000]"},
     {"{radars: [{name: a}], existence: {firm_probability: 1.0}}", "existence.firm_probability", "0.99999"},
     {"{radars: [{name: a}], conversion: {scans: 1}}", "conversion.scans", "[2, 1000]"},
+    {"{radars: [{name: a}], bifurcation: sometimes}", "bifurcation", "true or false"},
+    {"{radars: [{name: a}], parting: {firm_updates: 1}}", "parting.firm_updates", "[2, 100]"},
+    {"{radars: [{name: a}], parting: {per_scan: 0}}", "parting.per_scan", "[1e-06, 1000]"},
     {"{radars: [{name: a}], operator: {page: -1}}", "operator.page", "[0, 1000001]"},
     {"{radars: [{name: a}], operator: {point_sigma_m: 0}}", "operator.point_sigma_m", "[1, 100000]"},
     {"{radars: [{name: a}], track_gates: {range_m: [1, 2, 3]}}", "track_gates.range_m", "needs 5 values"},

@@ -32,13 +32,24 @@ Track* Adit::startTrack(std::size_t radar, const tws::Plot& plot) {
   const auto slot = newTrack(radar, plot);
   if (!slot) return nullptr;
   Track& track = tracks_.at(*slot);
-  track.updated[radar] = plot.time;
+  track.updated[radar] = track.apart = plot.time;
   // Met in a sector that is behind the front or at most a few ahead of it.
   track.illuminated[radar] = Antenna::near(plot.azimuth, executive_.front(radar));
   track.detected_by = static_cast<std::uint16_t>(1U << radar);
   enterSectors(*slot, radars_[radar].site);
   report_.words.push_back({*slot, TrackEvent::kStarted, plot.time});
   return &track;
+}
+
+void Adit::startTrackOrBranch(const Executive::Turn& turn, const Detection& detection) {
+  RadarState& radar = radarOf(turn);
+  const auto parent = params_.bifurcation ? bifurcation_.parentOf(tracks_, detection, radar, turn) : std::nullopt;
+  Track* const track = startTrack(turn.radar, detection.plot);
+  if (track == nullptr || !parent) return;
+  motion_.inherit(*track, tracks_.at(*parent), params_.parting.speed_sigma);
+  track->parent = tracks_.at(*parent).uid;
+  track->existence = track->first_existence = static_cast<float>(bifurcation_.chanceOfParting(detection.plot, radar));
+  predictNext(*track, radar.site);
 }
 
 std::optional<TrackFile::Slot> Adit::startByHand(double range, double azimuth, double sigma) {

@@ -91,8 +91,10 @@ void Correlator::gather(const Track& track, const Asker& asker, RadarState& rada
   Entry entry{asker.slot, asker.order, asker.primary, false, candidates_.size(), 0};
   const auto consider = [&](Detection& detection, double range_difference, double azimuth_difference) {
     double distance = 0.0;
-    const std::size_t gate = smallestGate(track, range_difference, azimuth_difference, distance);
+    std::size_t gate = smallestGate(track, range_difference, azimuth_difference, distance);
     if (gate == kGates) return;
+    // A branch takes what all others leave: else it would live on its parent's detections.
+    if (track.parent != 0 && !track.firm) gate = kGates - 1;
     candidates_.push_back({&detection, distance, gate});
     frontier_.add(p.range + range_difference, p.azimuth + azimuth_difference);
   };
@@ -151,6 +153,7 @@ void Correlator::pass(std::size_t gate) {
     Detection* const detection = closest(entry, gate);
     if (detection == nullptr) continue;
     entry.correlated = true;
+    detection->taker = entry.slot;
     if (entry.primary) {
       detection->used = true;
       correlations_.push_back({entry.slot, detection});

@@ -30,6 +30,19 @@ class Correlator {
                                             const std::vector<TrackFile::Slot>& secondary, RadarState& radar,
                                             std::int64_t running, std::size_t site = 0);
 
+  /// Of the last run: calls `take(slot)` for each secondary track in whose region lay detections, but none was left for
+  /// it.
+  template <class Take>
+  void forEachSecondaryLeftOut(const Take& take) const {
+    for (const Entry& entry : entries_) {
+      if (!entry.primary && !entry.correlated) take(entry.slot);
+    }
+  }
+  /// Was the detection given to a track, in the last run or before it?
+  bool isTaken(const Detection& detection) const {
+    return detection.taker != Detection::kNoTaker && (detection.used || detection.flagged_in == run_);
+  }
+
  private:
   struct Candidate {
     Detection* detection;

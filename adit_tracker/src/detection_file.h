@@ -17,6 +17,8 @@ struct Detection {
   std::uint64_t flagged_in = 0;    // the correlation run in which it proved closer to a track in a secondary sector
   std::uint32_t claim = kNoClaim;  // clutter point on probation that would have taken it
   static constexpr std::uint32_t kNoClaim = 0xffffffff;
+  std::uint32_t taker = kNoTaker;  // slot of the track that it was given to, or is flagged for
+  static constexpr std::uint32_t kNoTaker = 0xffffffff;
 };
 
 /// The detections of one sector of one radar, by range.
@@ -37,18 +39,26 @@ struct DetectionSector {
   /// To be called when `detections` are there: fills what follows them.
   void index();
 
-  /// Calls `take(detection, range difference, azimuth difference)` for each unused detection within the half-widths [m,
-  /// rad] of a place. Cost: those within the range; nothing when all are too far away in azimuth.
+  /// Calls `take(detection, range difference, azimuth difference)` for each detection within the half-widths [m, rad]
+  /// of a place, used or not. Cost: those within the range; nothing when all are too far away in azimuth.
   template <class Take>
-  void near(double range, double azimuth, double range_gate, double azimuth_gate, const Take& take) {
+  void within(double range, double azimuth, double range_gate, double azimuth_gate, const Take& take) {
     if (places.empty() || outOfReach(azimuth, azimuth_gate)) return;
     for (auto place = firstFrom(range - range_gate); place != places.end() && place->range <= range + range_gate;
          ++place) {
       const double azimuth_difference = tws::angularDifference(place->azimuth, azimuth);
       if (std::abs(azimuth_difference) > azimuth_gate) continue;
       Detection& detection = detections[static_cast<std::size_t>(place - places.begin())];
-      if (!detection.used) take(detection, place->range - range, azimuth_difference);
+      take(detection, place->range - range, azimuth_difference);
     }
+  }
+
+  /// The same for those that are still in the file.
+  template <class Take>
+  void near(double range, double azimuth, double range_gate, double azimuth_gate, const Take& take) {
+    within(range, azimuth, range_gate, azimuth_gate, [&](Detection& detection, double by_range, double by_azimuth) {
+      if (!detection.used) take(detection, by_range, by_azimuth);
+    });
   }
 
  private:

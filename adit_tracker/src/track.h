@@ -63,12 +63,14 @@ struct alignas(64) Track {
   double first_time = 0.0;         // TF
   double last_update = 0.0;        // TT
   double last_illumination = 0.0;  // by any radar, detected or not
+  double apart = 0.0;              // the latest detection that it had for itself
+  std::uint32_t parent = 0;        // uid of the track that it has branched off; 0: none
   float existence = 1.0F;          // chance that it follows a target
   float first_existence = 1.0F;    // the same at its first detection
   std::array<float, kMaxRadars>
       detection_probability;               // by each radar, as this track has shown so far: radars fade apart
   std::array<double, kMaxRadars> updated;  // by each radar, TT12 and TT39; kNever
-  HeightGuess height_guess;  // where radars at several sites are joined
+  HeightGuess height_guess;                // where radars at several sites are joined
   FixedPlace fixed;
   ReferencePlace reference;  // NR: eight scans ago
   std::variant<PolarFilter, TurningFilter> filter;

@@ -37,11 +37,20 @@ void TrackJudge::age(Track& track, double time) const {
   track.last_illumination = std::max(track.last_illumination, time);
 }
 
+void TrackJudge::hidden(Track& track, double time) const {
+  if (params_.life == TrackLife::kExistence) age(track, time);
+}
+
 bool TrackJudge::deservesFirm(const Track& track) const {
-  if (params_.life == TrackLife::kTimers) return track.last_update - track.first_time > params_.timers.firm_time;
+  const bool branch = track.parent != 0;
+  if (params_.life == TrackLife::kTimers) {
+    return branch ? track.updates >= params_.parting.firm_updates
+                  : track.last_update - track.first_time > params_.timers.firm_time;
+  }
   const ExistenceParams& e = params_.existence;
-  return track.existence > e.firm_probability && track.updates >= e.firm_updates &&
-         track.fixed.moving_evidence > e.moving_evidence;
+  return track.existence > e.firm_probability &&
+         track.updates >= (branch ? params_.parting.firm_updates : e.firm_updates) &&
+         track.fixed.moving_evidence > (branch ? params_.parting.moving_evidence : e.moving_evidence);
 }
 
 bool TrackJudge::updated(Track& track, std::size_t radar, double log_likelihood, const RadarQuality& quality,

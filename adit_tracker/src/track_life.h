@@ -19,6 +19,8 @@ class TrackJudge {
                bool may_become_firm = true) const;
   /// The beam has passed at `time` and nothing was found. Returns true when the track is to be dropped.
   bool missed(Track& track, std::size_t radar, double time) const;
+  /// The beam has passed at `time`, and what was found may have been this track's target or another one.
+  void hidden(Track& track, double time) const;
 
   /// Firm, and not in doubt.
   bool believed(const Track& track) const {

@@ -123,6 +123,20 @@ void TrackMotion::start(Track& track, const tws::Plot& plot, const RadarQuality&
   track.fixed = {z.x, z.y, z.covariance, 0.0};
 }
 
+void TrackMotion::inherit(Track& track, const Track& parent, double sigma) const {
+  const Kinematics its = at(parent, track.smoothed.time).kinematics;
+  if (auto* polar = std::get_if<PolarFilter>(&track.filter)) {
+    polar->range.velocity = its.range_rate;
+    polar->azimuth.velocity = its.azimuth_rate;
+    track.smoothed =
+        fromPolar(track.smoothed.range, track.smoothed.azimuth, its.range_rate, its.azimuth_rate, track.smoothed.time);
+    return;
+  }
+  TurningFilter& filter = std::get<TurningFilter>(track.filter);
+  filter.setVelocity(its.vx, its.vy, sigma);
+  track.smoothed = fromPlanar(filter.mean(), track.smoothed.time);
+}
+
 double TrackMotion::update(Track& track, const tws::Plot& plot, const RadarQuality& quality, std::size_t radar) const {
   ++track.updates;
   double log_likelihood = 0.0;

@@ -38,6 +38,10 @@ class TrackMotion {
   /// Corrects by a detection. Returns the natural logarithm of its likelihood [1/m²]; 0 with the α-β filter.
   double update(Track& track, const tws::Plot& plot, const RadarQuality& quality, std::size_t radar = 0) const;
 
+  /// Gives a track that has just started the velocity of another one, with this standard deviation of each component
+  /// [m/s] (turning filter).
+  void inherit(Track& track, const Track& parent, double sigma) const;
+
   /// Where the track is at `time`, which may be before the latest update by a little.
   Extrapolation at(const Track& track, double time) const;
 

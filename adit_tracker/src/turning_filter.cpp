@@ -209,6 +209,14 @@ void TurningFilter::start(const PlanarPosition& z, const TurningFilterParams& pa
   probability_ = {straight, 0.5 * (1.0 - straight), 0.5 * (1.0 - straight)};
 }
 
+void TurningFilter::setVelocity(double vx, double vy, double sigma) {
+  for (PlanarState& s : state_) {
+    s.vx = vx;
+    s.vy = vy;
+    s.velocity = {sigma * sigma, 0.0, sigma * sigma};
+  }
+}
+
 void TurningFilter::mix(double dt, const TurningFilterParams& params) {
   const double begin = 1.0 - std::exp(-dt / params.straight_time), end = 1.0 - std::exp(-dt / params.turning_time);
   // A turn ends in straight flight; it does not change its side.

@@ -67,6 +67,9 @@ class TurningFilter {
   /// A track from its first measurement, at rest, with velocity unknown.
   void start(const PlanarPosition& measurement, const TurningFilterParams& params);
 
+  /// Gives all models this velocity with this standard deviation of each component [m/s].
+  void setVelocity(double vx, double vy, double sigma);
+
   /// Moves on by dt [s] ≥ 0, corrects by the measurement. Returns the natural logarithm of the measurement's likelihood
   /// [1/m²].
   double update(const PlanarPosition& measurement, double dt, const TurningFilterParams& params);
