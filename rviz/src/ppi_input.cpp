@@ -97,6 +97,7 @@ TrackReport trackReport(const tws_msgs::Track& track, std::size_t source, const 
   report.velocity = frame.rotated({track.velocity.x, track.velocity.y});
   report.handed_off = (track.detection_bits & tws_msgs::Track::HANDED_OFF) != 0;
   report.designated = (track.detection_bits & tws_msgs::Track::ELEVATION_REQUESTED) != 0;
+  report.iff = (track.detection_bits & tws_msgs::Track::DETECTED_BY_IFF) != 0;
   report.name = prefix + (track.callsign.empty() ? std::to_string(track.number) : track.callsign);
   report.identity = identityText(track);
   return report;

@@ -92,6 +92,8 @@ TEST(PpiInput, TheBitsOfHandoffAndDesignationAreTakenOver) {
   EXPECT_FALSE(report(tws_msgs::Track::HANDED_OFF).designated);
   EXPECT_TRUE(report(tws_msgs::Track::ELEVATION_REQUESTED | 3).designated);
   EXPECT_FALSE(report(3).handed_off);
+  EXPECT_TRUE(report(tws_msgs::Track::DETECTED_BY_IFF).iff);
+  EXPECT_FALSE(report(3).iff);
 }
 
 TEST(PpiInput, ACallsignStandsInPlaceOfTheNumber) {

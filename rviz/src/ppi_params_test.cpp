@@ -35,6 +35,7 @@ TEST(PpiParams, TheShippedFileHoldsTheDefaults) {
   EXPECT_EQ(file.tracks.trail_time, none.tracks.trail_time);
   EXPECT_EQ(file.tracks.timeout, none.tracks.timeout);
   EXPECT_EQ(file.clutter_topic, none.clutter_topic);
+  EXPECT_EQ(file.legend, none.legend);
   EXPECT_EQ(file.truth, none.truth);
   EXPECT_EQ(file.truth_topic, none.truth_topic);
   ASSERT_EQ(file.radars.size(), none.radars.size());

@@ -2,16 +2,15 @@
 
 #include <algorithm>
 
-#include <tws_core/angles.h>
-
 #include "background.h"
+#include "legend.h"
+#include "symbols.h"
 
 namespace tws_rviz {
 namespace {
 
 // Until a radar's rotation period is known [s].
 constexpr double kAssumedPeriod = 10.0;
-constexpr double kProbationOpacity = 0.4;
 
 }  // namespace
 
@@ -40,7 +39,11 @@ void PpiPicture::hear(TrackReport report) {
   tracks_.hear(report);
 }
 
-Drawing PpiPicture::background() const { return drawBackground(style_, spacing()); }
+Drawing PpiPicture::background() const {
+  Drawing drawing = drawBackground(style_, spacing());
+  if (params_.legend) addLegend(drawing, style_);
+  return drawing;
+}
 
 Drawing PpiPicture::sweeps(double time) const {
   Drawing drawing;
@@ -61,9 +64,7 @@ Drawing PpiPicture::detections(double time) const {
 Drawing PpiPicture::clutter(double time) const {
   Drawing drawing;
   if (isOld(clutter_.time, time)) return drawing;
-  for (const ClutterMark& mark : clutter_.items)
-    addCross(drawing, mark.position, style_.clutter_mark, tws::kPi / 4.0, style_.line,
-             faded(style_.clutter, mark.absorbing ? 1.0 : kProbationOpacity));
+  for (const ClutterMark& mark : clutter_.items) addClutterSymbol(drawing, mark.position, mark.absorbing, style_);
   return drawing;
 }
 
@@ -83,7 +84,7 @@ Drawing PpiPicture::tracks(double time) {
 }
 
 Drawing PpiPicture::status(double time) const {
-  PpiStatus status{time, spacing(), {}, {}};
+  PpiStatus status{time, spacing(), {}, {}, std::nullopt};
   for (const Radar& radar : radars_)
     if (radar.heard)
       status.radars.push_back({radar.params.name, radar.params.color, radar.sweep.rotationPeriod(),
@@ -95,6 +96,9 @@ Drawing PpiPicture::status(double time) const {
   for (std::size_t i = 0; i < params_.correlators.size(); ++i)
     add(params_.trackers.size() + i, params_.correlators[i].name);
   for (std::size_t i = 0; i < params_.trackers.size(); ++i) add(i, params_.trackers[i].name);
+  if (!clutter_.items.empty() && !isOld(clutter_.time, time))
+    status.clutter =
+        std::count_if(clutter_.items.begin(), clutter_.items.end(), [](const auto& m) { return m.absorbing; });
   return drawStatus(style_, status);
 }
 

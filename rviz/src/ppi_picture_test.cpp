@@ -128,6 +128,20 @@ TEST(PpiPicture, TheStatusNamesOnlyWhatWasHeard) {
   EXPECT_TRUE(says(picture.status(105.0), "sps39  silent"));
 }
 
+TEST(PpiPicture, TheStatusCountsThePointsOfTheClutterMapThatAbsorb) {
+  PpiPicture picture(params());
+  picture.hearClutter(100.0, {{{1000.0, 0.0}, true}, {{2000.0, 0.0}, false}, {{3000.0, 0.0}, true}});
+  EXPECT_TRUE(says(picture.status(101.0), "clutter 2"));
+  EXPECT_FALSE(says(picture.status(131.0), "clutter 2"));
+}
+
+TEST(PpiPicture, TheLegendCanBeLeftOut) {
+  PpiParams bare = params();
+  bare.legend = false;
+  EXPECT_TRUE(says(PpiPicture(params()).background(), "handed off"));
+  EXPECT_FALSE(says(PpiPicture(bare).background(), "handed off"));
+}
+
 TEST(PpiPicture, RingsStandAsFarApartAsSaid) {
   PpiParams wide = params();
   wide.ring_spacing = 25e3;

@@ -34,7 +34,8 @@ struct PpiStyle {
   Rgba secondary{0.35f, 0.90f, 1.0f, 1.0f};  // a firm track of which only a secondary radar knows
   Rgba coasting{1.0f, 0.50f, 0.10f, 1.0f};
   Rgba ordered{0.25f, 0.80f, 1.0f, 1.0f};  // marks of what an operator has ordered
-  Rgba clutter{0.62f, 0.42f, 0.25f, 1.0f};
+  Rgba iff{0.45f, 1.0f, 0.45f, 1.0f};      // mark of tracks that answer interrogations
+  Rgba clutter{0.75f, 0.50f, 0.28f, 1.0f};
   Rgba truth{0.80f, 0.30f, 0.80f, 1.0f};
 };
 

@@ -64,6 +64,7 @@ Drawing drawStatus(const PpiStyle& style, const PpiStatus& status) {
     right.write("coasting " + std::to_string(tracker.counts[2]), style.coasting);
     right.write("tentative " + std::to_string(tracker.counts[0]), style.tentative);
   }
+  if (status.clutter) right.write("clutter " + std::to_string(*status.clutter), style.clutter);
   return drawing;
 }
 

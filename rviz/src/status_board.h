@@ -1,6 +1,8 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,6 +28,7 @@ struct PpiStatus {
   double spacing = 0.0;  // of the range rings [m]
   std::vector<RadarStatus> radars;
   std::vector<TrackerStatus> trackers;
+  std::optional<std::ptrdiff_t> clutter;  // points that absorb; nothing: there is no map
 };
 
 /// Time of day, e.g. "00:02:05", from seconds since midnight or the epoch.

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <utility>
 
-#include <tws_core/angles.h>
 #include <tws_core/units.h>
 
 #include "label_placement.h"
+#include "symbols.h"
 
 namespace tws_rviz {
 namespace {
@@ -16,20 +16,6 @@ constexpr int kTrailDots = 12;
 constexpr double kTrailBrightest = 0.75;
 constexpr int kRightSide = 0;
 constexpr int kLeftSide = 4;
-
-const Rgba& colorOf(const TrackReport& report, const PpiStyle& style) {
-  if (report.state == TrackState::kFirm) return report.kind == TrackKind::kSecondary ? style.secondary : style.firm;
-  return report.state == TrackState::kCoasting ? style.coasting : style.tentative;
-}
-
-// A firm track is a circle, a coasting one a square, a tentative one a small diamond; without a primary radar a
-// triangle.
-Polygon symbolOf(const TrackReport& report, const PpiStyle& style) {
-  if (report.state == TrackState::kTentative) return {4, 0.8 * style.symbol, 0.0};
-  if (report.kind == TrackKind::kSecondary) return {3, 1.3 * style.symbol, 0.0};
-  if (report.state == TrackState::kCoasting) return {4, 1.3 * style.symbol, tws::kPi / 4.0};
-  return {16, style.symbol, 0.0};
-}
 
 // A tentative track shows its name only: many of them are false. One that does not move yet, a single detection, shows
 // nothing: most of these are false, and their numbers would fill the picture.
@@ -97,18 +83,10 @@ void TrackPicture::drawTrail(Drawing& drawing, const LivingTrack& track, double 
 }
 
 void TrackPicture::drawSymbol(Drawing& drawing, const TrackReport& report, const PpiStyle& style) const {
-  const Rgba& color = colorOf(report, style);
-  if (report.symbol_only) {
-    constexpr double kDimmed = 0.7;
-    return addPolygon(drawing, report.position, {3, 1.5 * style.symbol, 0.0}, style.line, faded(color, kDimmed));
-  }
   const Eigen::Vector2d leader = look_.leader_time * report.velocity;
-  if (leader.allFinite()) addLine(drawing, report.position, report.position + leader, style.line, color);
-  addPolygon(drawing, report.position, symbolOf(report, style), style.line, color);
-  if (report.kind == TrackKind::kCorrelated) addDot(drawing, report.position, 0.7 * style.symbol, color);
-  // Around the symbol: a wide circle for a track that is handed off, a wide diamond for a designated one.
-  if (report.handed_off) addPolygon(drawing, report.position, {16, 1.6 * style.symbol, 0.0}, style.line, style.ordered);
-  if (report.designated) addPolygon(drawing, report.position, {4, 2.2 * style.symbol, 0.0}, style.line, style.ordered);
+  if (!report.symbol_only && leader.allFinite())
+    addLine(drawing, report.position, report.position + leader, style.line, colorOf(report, style));
+  addTrackSymbol(drawing, report, style);
 }
 
 void TrackPicture::drawLabels(Drawing& drawing, const std::vector<LivingTrack*>& shown, const PpiStyle& style) {

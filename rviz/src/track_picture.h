@@ -35,6 +35,7 @@ struct TrackReport {
       Eigen::Vector2d::Constant(std::numeric_limits<double>::quiet_NaN());  // [m/s]; NaN: unknown
   bool handed_off = false;                                                  // to a tracking radar
   bool designated = false;                                                  // for elevation searches
+  bool iff = false;                                                         // it answers interrogations
   std::string name;          // what the operator calls it, e.g. its number
   std::string identity;      // e.g. "4271 F350"; empty: unknown, or as it was
   bool symbol_only = false;  // a triangle without leader, trail and label: a tracker beside the main one
