@@ -21,7 +21,7 @@ TEST(StatusBoard, TheClockCountsFromMidnight) {
 
 // An operator must see that a radar has failed, and how many tracks there are of each kind.
 TEST(StatusBoard, NamesTurningAndSilentRadarsAndCountsTracks) {
-  const PpiStatus status{60.0, 50e3, {{"sps12", {}, 6.0, true}, {"sps39", {}, NAN, false}}, {{"adit", {9, 47, 3}}}};
+  const PpiStatus status{60.0, 50e3, {{"sps12", {}, 6.0, true}, {"sps39", {}, NAN, false}}, {{"adit", {9, 47, 3}}}, 17};
   const Drawing drawing = drawStatus(PpiStyle(200e3), status);
   EXPECT_TRUE(says(drawing, "00:01:00"));
   EXPECT_TRUE(says(drawing, "200 km / 50"));
@@ -34,7 +34,7 @@ TEST(StatusBoard, NamesTurningAndSilentRadarsAndCountsTracks) {
 
 // Text within the circle would hide aircraft.
 TEST(StatusBoard, StandsOutsideOfTheCircle) {
-  const PpiStatus status{60.0, 50e3, {{"sps12", {}, 6.0, true}, {"sps39", {}, 8.0, true}}, {{"adit", {9, 47, 3}}}};
+  const PpiStatus status{60.0, 50e3, {{"sps12", {}, 6.0, true}, {"sps39", {}, 8.0, true}}, {{"adit", {9, 47, 3}}}, 17};
   for (const Label& label : drawStatus(PpiStyle(200e3), status).labels) EXPECT_GT(label.centre.norm(), 200e3);
 }
 
