@@ -88,7 +88,7 @@ class AditNode::Impl {
         operators_(bus, params_.frame, params_.point_topic, operatorHost()),
         clutter_port_(bus, operators_, params_.adit, params_.clutter_map,
                       [this] { return adit_ && adit_->counts().sectors > 0 ? &*adit_ : nullptr; }),
-        sites_(bus, params_.frame, namesOf(params_.adit),
+        sites_(bus, params_.frame, namesOf(params_.adit), joinsSites(params_.adit),
                [this](std::size_t radar) -> const std::string& { return inputs_.frame(radar); }),
         inputs_(
             bus, topicsOf(params_.adit), params_.inputs,
@@ -126,7 +126,9 @@ class AditNode::Impl {
     }
     const bool all_at_once = waiting_.size() > 1;  // they waited for a site, which is no overload
     for (auto& [ready, its_sector] : waiting_) {
-      if (sites_.usable(ready)) adit_->take(ready, std::move(its_sector));
+      if (!sites_.usable(ready)) continue;
+      adit_->place(ready, sites_.frame(ready));
+      adit_->take(ready, std::move(its_sector));
     }
     waiting_.clear();
     while (all_at_once && workOne()) continue;

@@ -7,6 +7,7 @@ namespace adit_tracker {
 namespace {
 
 constexpr double kSteepest = 0.25;  // square of sin 30°
+constexpr double kFlattest = 0.1;   // least square of the ground range, as share of that of the slant range
 // Of h² of a target that climbs and sinks by 5 m/s, a minute each, at 5 km: (2 h · 5 m/s)² · 60 s [m⁴/s].
 constexpr double kClimbing = 1.5e11;
 
@@ -28,10 +29,16 @@ HeightGuess HeightGuess::below(double greatest, double slant_range) {
   return guess;
 }
 
+bool HeightGuess::known() const {
+  constexpr double kGoodEnough = 1000.0;  // standard deviation [m]
+  const double sigma = std::sqrt(variance);
+  return variance > 0.0F && std::sqrt(squared + sigma) - std::sqrt(std::max(0.0, squared - sigma)) < 2.0 * kGoodEnough;
+}
+
 GuessedPlace HeightGuess::placeOf(const tws::Plot& plot, double range_sigma, double azimuth_sigma,
                                   const SiteFrame& site) const {
   const double r2 = plot.range * plot.range;
-  const double ground = std::sqrt(std::max(r2 - squared, kSteepest * r2));
+  const double ground = std::sqrt(std::max(r2 - squared, kFlattest * r2));
   const double azimuth = site.onPlane(plot.azimuth);
   GuessedPlace z{planarMeasurement(ground, azimuth, range_sigma * plot.range / ground, azimuth_sigma), 0.0, 0.0};
   z.x_per_squared = -0.5 * z.place.x / (ground * ground);
@@ -56,6 +63,11 @@ PlanarPosition HeightGuess::against(const GuessedPlace& z) const {
   return wider;
 }
 
+Symmetric2 HeightGuess::widened(const Symmetric2& position) const {
+  const double x = x_per_squared, y = y_per_squared;
+  return sumOf(position, {variance * x * x, variance * x * y, variance * y * y});
+}
+
 PlanarPosition HeightGuess::moveTo(double new_squared) {
   const double change = new_squared - squared;
   squared = static_cast<float>(new_squared);
@@ -63,7 +75,10 @@ PlanarPosition HeightGuess::moveTo(double new_squared) {
 }
 
 PlanarPosition HeightGuess::flatten(double slant_range) {
-  return moveTo(std::min<double>(squared, kSteepest * slant_range * slant_range));
+  constexpr double kSure = 0.1;        // of the height's square, as share of it
+  constexpr double kStraightUp = 0.9;  // a target that is known to be high may pass overhead
+  const double share = variance < kSure * squared * squared ? kStraightUp : kSteepest;
+  return moveTo(std::min<double>(squared, share * slant_range * slant_range));
 }
 
 void HeightGuess::age(double dt, double greatest) {

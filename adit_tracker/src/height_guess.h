@@ -26,6 +26,9 @@ struct HeightGuess {
   /// Nothing is known but that targets fly below `greatest` [m], and that radars do not look steeper than 30°.
   static HeightGuess below(double greatest, double slant_range);
 
+  double height() const { return std::sqrt(squared); }
+  /// Have sites told it to about a kilometre?
+  bool known() const;
   double slantRange(double ground_range) const { return std::sqrt(ground_range * ground_range + squared); }
   GuessedPlace placeOf(const tws::Plot& plot, double range_sigma, double azimuth_sigma, const SiteFrame& site) const;
   /// The same of a track's first plot: it is the track's place.
@@ -33,7 +36,10 @@ struct HeightGuess {
   /// Adds to the covariance of a place what comes of the height: its error moves track and place differently.
   PlanarPosition against(const GuessedPlace& place) const;
 
-  /// The track's displacement, when its height is no longer thought to be steeper than 30° at that slant range [m].
+  /// The covariance of the track's position, with what comes of the height.
+  Symmetric2 widened(const Symmetric2& position) const;
+  /// The track's displacement, when a height that nobody is sure of is not thought to be steeper than 30° at that slant
+  /// range [m].
   PlanarPosition flatten(double slant_range);
   /// `dt` [s] have passed, in which the target may have climbed.
   void age(double dt, double greatest);

@@ -7,14 +7,17 @@ namespace {
 
 using tws_runtime::Site;
 
-// Radars further apart than this do not see a target in the same polar coordinates.
-constexpr double kSameSite = 100.0;  // [m]
-
 }  // namespace
 
 RadarSites::RadarSites(tws_runtime::Bus& bus, const std::string& frame, const std::vector<std::string>& radars,
-                       FrameOf frame_of)
-    : bus_(bus), frame_(frame), radars_(radars), frame_of_(std::move(frame_of)), usable_(radars.size()) {}
+                       bool joins, FrameOf frame_of)
+    : bus_(bus),
+      frame_(frame),
+      radars_(radars),
+      joins_(joins),
+      frame_of_(std::move(frame_of)),
+      frames_(radars.size()),
+      usable_(radars.size()) {}
 
 std::optional<Site> RadarSites::siteOf(std::size_t radar, std::string& why) const {
   // Before its first message a radar's frame is taken to have its name.
@@ -32,20 +35,27 @@ bool RadarSites::findOrigin(std::size_t radar, bool patient) {
   return true;
 }
 
+SiteFrame RadarSites::onPlane(const Site& site) const {
+  const double c = std::cos(origin_->turn), s = std::sin(origin_->turn);
+  const double dx = site.x - origin_->x, dy = site.y - origin_->y;
+  return {c * dx + s * dy, c * dy - s * dx, site.turn - origin_->turn};
+}
+
 bool RadarSites::find(std::size_t radar, bool patient) {
   if (!origin_ && !findOrigin(radar, patient)) return false;
-  if (usable_[radar]) return true;
+  if (frames_[radar]) return true;
   std::string why;
   const std::optional<Site> site = siteOf(radar, why);
   if (!site && patient) return false;
   const std::string& name = radars_[radar];
   if (!site) bus_.counter("unknown sites").add("no transform from " + name + " to " + frame_ + ": " + why);
-  const double distance = site ? std::hypot(site->x - origin_->x, site->y - origin_->y) : 0.0;
-  usable_[radar] = distance <= kSameSite;
-  if (!*usable_[radar]) {
+  frames_[radar] = site ? onPlane(*site) : SiteFrame{};
+  usable_[radar] = joins_ || sameSite(*frames_[radar], SiteFrame{});
+  if (!usable_[radar]) {
     bus_.counter("radars at another site")
-        .add(name + " stands " + std::to_string(std::lround(distance)) +
-             " m from the first radar; its detections are left out");
+        .add(name + " stands " + std::to_string(std::lround(std::hypot(frames_[radar]->x, frames_[radar]->y))) +
+             " m from the first radar; its detections are left out: to join them takes filter: turning, gates: "
+             "statistical, clutter/per_radar: true");
   }
   return true;
 }

@@ -63,6 +63,7 @@ tws_msgs::Track trackMessage(const Adit& adit, const TrackWord& word, const Site
   message.first_detection = tws_runtime::toTime(track.first_time);
   message.last_update = tws_runtime::toTime(track.last_update);
   setPlace(message, now.kinematics, site);
+  if (track.height_guess.known()) message.position.z = site.z + track.height_guess.height();
   if (now.has_covariance) setCovariance(message, now.planar, site);
   message.detection_bits = track.detected_by;
   if (track.handed_off) message.detection_bits |= tws_msgs::Track::HANDED_OFF;

@@ -214,6 +214,7 @@ Extrapolation TrackMotion::at(const Track& track, double time) const {
     const double slant = track.height_guess.slantRange(k.range);
     k.range_rate *= k.range / slant;
     k.range = slant;
+    there.planar.position = track.height_guess.widened(there.planar.position);
   }
   return there;
 }

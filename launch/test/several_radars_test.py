@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""More radars than the two of NRL Report 7952, by parameters alone: several_radars_test.py PATH_OF_TWS_OFFLINE
+"""More radars than the two of NRL Report 7952, by parameters alone, and at different sites: several_radars_test.py PATH_OF_TWS_OFFLINE
 
 Whoever adds a radar relies on it: tracks are held better where it sees, and each detection bit means the radar that it always meant.
 """
@@ -75,6 +75,15 @@ class SeveralRadars(unittest.TestCase):
             elif track.state == track.COASTING:
                 self.assertFalse(track.detection_bits & bits[radar], (radar, track.detection_bits))
         self.assertEqual(seen, set(bits), "a radar takes no part")
+
+    def test_radars_at_two_sites_make_one_track_an_aircraft_and_cover_more_than_either_alone(self):
+        scene = scenario("two_sites")
+        for seed in (1, 2):
+            both, ship, island = (self.score(self.fly({**scene, "radars": radars}, "--seed", seed), ALL)
+                                  for radars in (scene["radars"], scene["radars"][:1], scene["radars"][1:]))
+            self.assertGreater(both["completeness"], max(ship["completeness"], island["completeness"]) + 0.02)
+            self.assertLess(both["ambiguity"], 1.01, "tracks for each aircraft that has one")
+            self.assertLess(both["swaps"], 5)
 
 
 if __name__ == "__main__":

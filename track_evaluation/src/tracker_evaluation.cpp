@@ -94,11 +94,28 @@ TruthFilter TrackerEvaluation::filter() const {
   return filter;
 }
 
+Eigen::Vector3d TrackerEvaluation::siteOf(const tws_msgs::Truth& message) {
+  const Eigen::Vector3d site = find_site_(radar_, message.header.frame_id);
+  if (!radar_.empty()) sites_[radar_] = site;
+  return site;
+}
+
+// Who joins radars at several sites cannot lay the slant range of one of them on the plane: such tracks are meant as
+// places on the ground.
+bool TrackerEvaluation::isOnGround() const {
+  constexpr double kSameSite = 100.0;  // [m]
+  return std::any_of(sites_.begin(), sites_.end(), [&](const std::pair<const std::string, Eigen::Vector3d>& site) {
+    return std::hypot(site.second.x() - sites_.begin()->second.x(), site.second.y() - sites_.begin()->second.y()) >
+           kSameSite;
+  });
+}
+
 void TrackerEvaluation::take(const tws_msgs::Truth& message) {
   Epoch epoch;
   epoch.time = tws_runtime::toSeconds(message.header.stamp);
-  epoch.truths = truthsOf(message, find_site_(radar_, message.header.frame_id), filter());
+  epoch.truths = truthsOf(message, siteOf(message), filter());
   epoch.tracks = picture_.at(epoch.time);
+  for (auto& track : epoch.tracks) track.has_height = track.has_height || isOnGround();
   if (!evaluator_) {
     EvaluatorParams params = params_.evaluator;
     params.from += epoch.time;

@@ -55,6 +55,8 @@ class TrackerEvaluation {
   void take(const tws_msgs::CorrelatedTracks& message);
   void take(const tws_msgs::Truth& message);
   TruthFilter filter() const;
+  Eigen::Vector3d siteOf(const tws_msgs::Truth& message);
+  bool isOnGround() const;
   void addUpdates(const tws_msgs::Tracks& message);
 
   const EvaluationParams& params_;
@@ -64,7 +66,8 @@ class TrackerEvaluation {
   tws::TimeOrder<Input> order_;
   TrackPicture picture_;
   std::optional<Evaluator> evaluator_;
-  std::string radar_;  // of the latest message
+  std::string radar_;                             // of the latest message
+  std::map<std::string, Eigen::Vector3d> sites_;  // of all radars so far
   std::map<std::uint32_t, double> last_update_;
   std::size_t epochs_ = 0;
 };
