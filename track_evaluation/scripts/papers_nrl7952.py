@@ -51,7 +51,7 @@ def rows(runs, seeds, Sample, verdict):
 
     return [*real_time(measured, scene, tracker, ours), *two_radars(measured, verdict, scene, tracker, ours),
             *five_gates(measured, verdict, dense(scene), tracker), *adaptive_filter(measured, verdict, scene, tracker),
-            *clutter(measured, scene, tracker, ours)]
+            *clutter(measured, scene, tracker, ours), *clutter_that_comes(runs, seeds, Sample, verdict, tracker, ours)]
 
 
 def real_time(measured, scene, tracker, ours):
@@ -110,4 +110,105 @@ def clutter(measured, scene, tracker, ours):
         most = "most are" if captured.mean - captured.half_width > 0.5 else "FEWER than half"
         lines.append(("clutter points are captured, not tracked", "no number",
                       f"{captured.in_words('%', 100, 1)} captured; {spurious.in_words('%', 100, 1)} of track reports follow nobody ({name})", most))
+    return lines
+
+
+# Of the scenario clutter_comes_and_goes [s]: when rocks and boats appear, and after how long the map is looked at.
+APPEARANCE = {"rock": 0, "boat": 100}
+AFTER = (10, 20, 40)
+
+
+def still_things(bag_file, kind):
+    """When the run began [s], and the places of what stands still and bears that name."""
+    with rosbag.Bag(str(bag_file)) as bag:
+        truth = [message for _, message, _ in bag.read_messages(["/truth"])]
+    places = {t.name: (t.slant_range[0], t.azimuth[0]) for message in truth for t in message.targets if t.name.startswith(kind)}
+    return truth[0].header.stamp.to_sec(), list(places.values())
+
+
+def clutter_maps(bag_file):
+    with rosbag.Bag(str(bag_file)) as bag:
+        return [message for _, message, _ in bag.read_messages(["/adit/clutter_map"])]
+
+
+def held_after(bag_file, kind, seconds):
+    """The share of these that the maps (each of them, where each radar has its own) hold so long after they appear."""
+    began, places = still_things(bag_file, kind)
+    maps = clutter_maps(bag_file)
+    then = next(m for m in maps if m.header.stamp.to_sec() >= began + APPEARANCE[kind] + seconds)
+    radars = {p.radar for m in maps for p in m.points}
+    held = sum(any(p.radar == radar and p.absorbing and distance(place, (p.range, p.azimuth)) < 1000.0 for p in then.points)
+               for place in places for radar in radars)
+    return held / (len(places) * len(radars))
+
+
+def tracks_begun(bag_file, seconds):
+    """Tracks that begin on rocks in the first seconds of the run."""
+    began, rocks = still_things(bag_file, "rock")
+    with rosbag.Bag(str(bag_file)) as bag:
+        words = [w for _, m, _ in bag.read_messages(["/adit/tracks"]) for w in m.tracks]
+    return len({w.uid for w in words if w.first_detection.to_sec() < began + seconds and any(distance(r, (w.range, w.azimuth)) < 1000.0 for r in rocks)})
+
+
+def saved_map(runs, bag_file, seconds):
+    """The map as it was then, as /adit/save_clutter_map writes it."""
+    began, _ = still_things(bag_file, "rock")
+    then = [m for m in clutter_maps(bag_file) if m.header.stamp.to_sec() <= began + seconds][-1]
+    path = runs.folder / "clutter.csv"
+    path.write_text("radar,range_m,az_deg\n" + "".join(f"{p.radar or '*'},{p.range:.1f},{math.degrees(p.azimuth):.4f}\n"
+                                                       for p in then.points if p.absorbing and p.hits > 1))
+    return path
+
+
+def draw_clutter(bag_file, file):
+    """Points of the map against time, by what stands there."""
+    import matplotlib
+    matplotlib.use("Agg")
+    import matplotlib.pyplot as plt
+
+    began, maps = still_things(bag_file, "rock")[0], clutter_maps(bag_file)
+    radars = sorted({p.radar for m in maps for p in m.points})
+    figure, axes = plt.subplots(1, len(radars), figsize=(10, 3), sharey=True, squeeze=False)
+    for panel, radar in zip(axes[0], radars):
+        for kind, color in (("rock", "saddlebrown"), ("boat", "tab:blue")):
+            _, places = still_things(bag_file, kind)
+            for absorbing, style in ((True, "-"), (False, ":")):
+                counts = [sum(any(p.radar == radar and p.absorbing == absorbing and distance(place, (p.range, p.azimuth)) < 1000.0 for p in m.points)
+                              for place in places) for m in maps]
+                panel.step([m.header.stamp.to_sec() - began for m in maps], counts, style, color=color, where="post",
+                           label=f"{kind}s, {'absorbing' if absorbing else 'on probation'}")
+        for edge in (APPEARANCE["boat"], 240):
+            panel.axvline(edge, color="0.7", linewidth=0.8)
+        panel.set(title=radar or "common map", xlabel="time [s]", xlim=(0, 330))
+    axes[0][0].set_ylabel("of 12 places")
+    axes[0][0].legend(fontsize=7, loc="center right")
+    figure.tight_layout()
+    figure.savefig(file, dpi=100, metadata={"Software": None})
+    plt.close(figure)
+
+
+def clutter_that_comes(runs, seeds, Sample, verdict, tracker, ours):
+    scene, lines = runs.scenario("clutter_comes_and_goes"), []
+    for name, parameters in (("nrl7952", tracker), ("default", ours)):
+        held, bare, knowing = {(kind, after): [] for kind in APPEARANCE for after in AFTER}, [], []
+        for seed in seeds:
+            options = ["--params", runs.file("tracker.yaml", parameters), "--seed", seed]
+            bag = runs.offline(scene, *options)
+            for kind, after in held:
+                held[kind, after].append(held_after(bag, kind, after))
+            if runs.figures and parameters is ours and seed == seeds[0]:
+                draw_clutter(bag, runs.figures / "clutter.png")
+            bare.append(tracks_begun(bag, 40))
+            known = saved_map(runs, bag, 95)
+            knowing.append(tracks_begun(runs.offline(scene, *options, "--duration", 60, "--clutter-map", known), 40))
+        for kind, what in (("rock", "at the start of a run"), ("boat", "100 s later")):
+            shares = [Sample(held[kind, after]) for after in AFTER]
+            enough = next((f"most are after {after} s" for share, after in zip(shares, AFTER) if share.mean - share.half_width > 0.5),
+                          f"FEWER than half after {AFTER[-1]} s")
+            lines.append((f"clutter is captured immediately: {what}", "no number",
+                          ", ".join(f"{share.in_words('%', 100, 0)} after {after} s" for share, after in zip(shares, AFTER)) + f" ({name})", enough))
+        with_map, without = Sample(knowing), Sample(bare)
+        lines.append(("captured clutter is not processed as tracks", "no number",
+                      f"{with_map.in_words(digits=1)} tracks begin on 12 rocks in 40 s with the map of the run before, {without.in_words(digits=1)} without ({name})",
+                      verdict(without - with_map)))
     return lines
