@@ -33,10 +33,10 @@ void addTrackSymbol(Drawing& drawing, const TrackReport& report, const PpiStyle&
   addPolygon(drawing, middle, symbolOf(report, style), style.line, color);
   if (report.kind == TrackKind::kCorrelated) addDot(drawing, middle, 0.7 * style.symbol, color);
   // Around the symbol: a wide circle for a track that is handed off, a wide diamond for a designated one, a bar above
-  // for one that answers IFF.
+  // for one that answers IFF, unless its kind says so already.
   if (report.handed_off) addPolygon(drawing, middle, {16, 1.6 * style.symbol, 0.0}, style.line, style.ordered);
   if (report.designated) addPolygon(drawing, middle, {4, 2.2 * style.symbol, 0.0}, style.line, style.ordered);
-  if (!report.iff) return;
+  if (!report.iff || report.kind != TrackKind::kPrimary) return;
   const Eigen::Vector2d above(0.0, 1.3 * style.symbol), half(0.9 * style.symbol, 0.0);
   addLine(drawing, middle + above - half, middle + above + half, 1.5 * style.line, style.iff);
 }

@@ -35,6 +35,18 @@ TEST(Symbols, HandedOffDesignatedAndAnsweringTracksDifferInEveryCombination) {
   EXPECT_EQ(looks.size(), 8U);
 }
 
+// In a correlator's picture nearly all tracks would bear a second mark for the same thing.
+TEST(Symbols, ATrackThatASecondaryRadarSeesHasNoSecondMarkForIt) {
+  for (const TrackKind kind : {TrackKind::kCorrelated, TrackKind::kSecondary}) {
+    TrackReport report;
+    report.position = {0.0, 0.0};
+    report.kind = kind;
+    const auto look = lookOf(report);
+    report.iff = true;
+    EXPECT_EQ(lookOf(report), look);
+  }
+}
+
 // If this fails, what is still passed on to the tracks looks like what is taken out.
 TEST(Symbols, AClutterPointOnProbationIsSmallerAndDimmerThanOneThatAbsorbs) {
   Drawing absorbing, probation;
