@@ -115,7 +115,10 @@ class PpiNode::Impl {
     heed({"clutter points", params_.clutter_topic, map.header}, [&](const Origin& origin, const PlanarFrame& site) {
       std::vector<ClutterMark> marks;
       for (const tws_msgs::ClutterPoint& point : map.points)
-        orCount(origin, [&] { marks.push_back({clutterPosition(point, site), point.absorbing != 0}); });
+        orCount(origin, [&] {
+          const PlanarFrame own = picture_.siteOf(point.radar).value_or(site);
+          marks.push_back({clutterPosition(point, own), point.absorbing != 0});
+        });
       picture_.hearClutter(map.header.stamp.toSec(), std::move(marks));
     });
   }

@@ -39,6 +39,12 @@ void PpiPicture::hear(TrackReport report) {
   tracks_.hear(report);
 }
 
+std::optional<PlanarFrame> PpiPicture::siteOf(const std::string& radar) const {
+  for (const Radar& candidate : radars_)
+    if (candidate.heard && candidate.params.name == radar) return candidate.site;
+  return std::nullopt;
+}
+
 Drawing PpiPicture::background() const {
   Drawing drawing = drawBackground(style_, spacing());
   if (params_.legend) addLegend(drawing, style_);

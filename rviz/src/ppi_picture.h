@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <optional>
 #include <set>
+#include <string>
 #include <vector>
 
 #include "fading_detections.h"
@@ -39,6 +40,9 @@ class PpiPicture {
   /// The whole clutter map of `time`, or all true positions.
   void hearClutter(double time, std::vector<ClutterMark> marks) { clutter_ = {time, std::move(marks)}; }
   void hearTruth(double time, std::vector<Eigen::Vector2d> positions) { truth_ = {time, std::move(positions)}; }
+
+  /// Where a radar stands, by its name; nothing: it was not heard yet, or is none of the picture's.
+  std::optional<PlanarFrame> siteOf(const std::string& radar) const;
 
   Drawing background() const;
   Drawing sweeps(double time) const;

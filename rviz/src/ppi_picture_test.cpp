@@ -128,6 +128,18 @@ TEST(PpiPicture, TheStatusNamesOnlyWhatWasHeard) {
   EXPECT_TRUE(says(picture.status(105.0), "sps39  silent"));
 }
 
+// If this fails, the clutter of a radar that stands elsewhere is drawn round the wrong site.
+TEST(PpiPicture, KnowsWhereEachRadarThatWasHeardStands) {
+  PpiPicture picture(params());
+  const PlanarFrame island{{30e3, -2e3}, 0.1};
+  picture.hear(1, BeamMark{100.0, 0, 0, 8.0}, island);
+  ASSERT_TRUE(picture.siteOf("sps39").has_value());
+  EXPECT_EQ(picture.siteOf("sps39")->origin, island.origin);
+  EXPECT_EQ(picture.siteOf("sps39")->turn, 0.1);
+  EXPECT_FALSE(picture.siteOf("sps12").has_value());
+  EXPECT_FALSE(picture.siteOf("").has_value());
+}
+
 TEST(PpiPicture, TheStatusCountsThePointsOfTheClutterMapThatAbsorb) {
   PpiPicture picture(params());
   picture.hearClutter(100.0, {{{1000.0, 0.0}, true}, {{2000.0, 0.0}, false}, {{3000.0, 0.0}, true}});
