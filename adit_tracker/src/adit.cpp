@@ -15,8 +15,6 @@ constexpr std::int64_t kInitiationBehind = 1;  // sectors that initiation runs b
 constexpr int kSecondarySectors = 2;           // sectors ahead whose tracks take part in the correlation
 // Plots beyond are mistakes: no radar sees further, and their squares must stay finite.
 constexpr double kGreatestRange = 1e7;  // [m]
-// A track learns nothing about its radar's errors before it has settled.
-constexpr int kSettled = 6;  // updates
 
 bool isCopy(const tws::Plot& a, const tws::Plot& b) {
   return a.time == b.time && a.range == b.range && a.azimuth == b.azimuth;
@@ -239,7 +237,8 @@ void Adit::correlate(const Executive::Turn& turn) {
 bool Adit::tellsErrors(const Track& track, const tws::Plot& plot) const {
   constexpr double kSurelyStraight = 0.9;
   return params_.learn_noise && std::isnan(plot.range_sigma) && !track.predicted.vague_height && track.firm &&
-         track.updates > kSettled && std::get<TurningFilter>(track.filter).straightProbability() > kSurelyStraight;
+         track.updates > kSettledUpdates &&
+         std::get<TurningFilter>(track.filter).straightProbability() > kSurelyStraight;
 }
 
 /// Is the track surely no clutter?
@@ -279,7 +278,8 @@ void Adit::hide(const Executive::Turn& turn, TrackFile::Slot slot, const Detecti
   Track& track = tracks_.at(slot);
   if (bifurcation_.hasMerged(track, detection)) return drop(slot, detection.plot.time);
   const std::int32_t updates = track.updates;
-  motion_.update(track, *bifurcation_.asSeenBy(track, detection), radarOf(turn).quality, turn.radar);
+  if (updates > kSettledUpdates)
+    motion_.update(track, *bifurcation_.asSeenBy(track, detection), radarOf(turn).quality, turn.radar);
   track.updates = updates;  // no evidence
   judge_.hidden(track, detection.plot.time);
   track.coasting = false;

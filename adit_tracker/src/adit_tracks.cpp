@@ -43,12 +43,13 @@ Track* Adit::startTrack(std::size_t radar, const tws::Plot& plot) {
 
 void Adit::startTrackOrBranch(const Executive::Turn& turn, const Detection& detection) {
   RadarState& radar = radarOf(turn);
-  const auto parent = params_.bifurcation ? bifurcation_.parentOf(tracks_, detection, radar, turn) : std::nullopt;
+  const auto parting = params_.bifurcation ? bifurcation_.partingOf(tracks_, detection, radar, turn) : std::nullopt;
   Track* const track = startTrack(turn.radar, detection.plot);
-  if (track == nullptr || !parent) return;
-  motion_.inherit(*track, tracks_.at(*parent), params_.parting.speed_sigma);
-  track->parent = tracks_.at(*parent).uid;
-  track->existence = track->first_existence = static_cast<float>(bifurcation_.chanceOfParting(detection.plot, radar));
+  if (track == nullptr || !parting) return;
+  const Track& parent = tracks_.at(parting->parent);
+  motion_.branch(*track, parent, *parting);
+  track->parent = parent.uid;
+  track->existence = track->first_existence = static_cast<float>(parting->chance);
   predictNext(*track, radar.site);
 }
 

@@ -11,8 +11,9 @@ namespace {
 constexpr std::int64_t kSectorsKept = 3;   // a detection may be shared by tracks of this and the two sectors before
 constexpr double kMarginSigmas = 1.5;      // how far two tracks in one echo may seem to lie outside of one cell
 constexpr double kGreatestMiss = 4.0;      // how far the echo may lie from their middle, standard deviations
-constexpr double kDetected = 0.85;         // chance that a target is detected
-constexpr double kLeastUnresolved = 20.0;  // [s]
+constexpr double kSurelyBoth = 0.8;        // least chance that an echo is of both
+constexpr double kLeastUnresolved = 20.0;  // of a track that has not settled [s]
+constexpr double kLeastSpeedSigma = 25.0;  // of a branch [m/s]
 
 /// Where a track is expected as seen from a plot, along the beam and across it [m]. The covariance holds the errors of
 /// both.
@@ -46,6 +47,16 @@ tws::Plot towards(double along, double across, double distance_along, double dis
   plot.azimuth = tws::wrapTwoPi(plot.azimuth + across / plot.range);
   plot.range = std::max(plot.range + along, 1.0);
   return plot;
+}
+
+/// Seconds since the parent was last seen before its latest detection, by any radar.
+double unseen(const Track& parent, std::size_t radar, double period) {
+  double least = period;
+  for (std::size_t other = 0; other < parent.updated.size(); ++other) {
+    const double elapsed = parent.updated[radar] - parent.updated[other];
+    if (other != radar && elapsed > 0.5) least = std::min(least, elapsed);
+  }
+  return least;
 }
 
 }  // namespace
@@ -82,11 +93,11 @@ std::optional<Bifurcation::Shared> Bifurcation::shareOf(const Run& run, const Tr
                           0.25 * both.yy + 0.5 * error.yy + across * across / 12.0};
   const double middle_along = b.along + 0.5 * along, middle_across = b.across + 0.5 * across;
   if (merged.mahalanobis(middle_along, middle_across) > kGreatestMiss * kGreatestMiss) return std::nullopt;
-  const double there = kDetected * hidden.existence;
+  const double there = hidden.detection_probability[run.turn.radar] * hidden.existence;
   const double as_both = there * density(merged, middle_along, middle_across);
   const double as_taker = (1.0 - there) * density(b.covariance, b.along, b.across);
   const double chance = as_both / (as_both + as_taker);
-  if (chance < 0.5) return std::nullopt;
+  if (chance < kSurelyBoth) return std::nullopt;
   // The hidden one is half the distance further on; of the taker, that is so by that chance only.
   const double spread = std::sqrt(1.0 / 12.0), half = 0.5 * chance;
   const double taker_spread = std::sqrt(chance / 12.0 + 0.25 * chance * (1.0 - chance));
@@ -165,12 +176,11 @@ bool Bifurcation::isShared(const Detection& detection) const {
 bool Bifurcation::hasMerged(const Track& track, const Detection& detection) const {
   const double hidden = detection.plot.time - track.apart;
   if (!track.firm) return hidden > params_.parting.branch_time;
-  const double known = std::max(kLeastUnresolved, track.apart - track.first_time);
+  const double limit = track.updates > kSettledUpdates ? params_.parting.unresolved_time : kLeastUnresolved;
   const auto isYounger = [&](const Shared& s) {
     return s.detection == &detection && s.uid == track.uid && s.taker < track.uid;
   };
-  return hidden > std::min(params_.parting.unresolved_time, known) &&
-         std::any_of(shared_.begin(), shared_.end(), isYounger);
+  return hidden > limit && std::any_of(shared_.begin(), shared_.end(), isYounger);
 }
 
 /// The targets were in one cell on the scan before, at the latest.
@@ -180,32 +190,45 @@ Bifurcation::Reach Bifurcation::partingReach(const tws::Plot& plot, const RadarS
   return {cell.range + parted, cell.azimuth + parted / plot.range};
 }
 
-std::optional<TrackFile::Slot> Bifurcation::parentOf(const TrackFile& tracks, const Detection& detection,
-                                                     RadarState& radar, const Executive::Turn& turn) const {
+std::optional<Parting> Bifurcation::partingOf(const TrackFile& tracks, const Detection& detection, RadarState& radar,
+                                              const Executive::Turn& turn) const {
   if (detection.claim != Detection::kNoClaim) return std::nullopt;
   const tws::Plot& plot = detection.plot;
   const Reach reach = partingReach(plot, radar);
-  std::optional<TrackFile::Slot> nearest;
-  double least = 0.0;
+  std::optional<Parting> nearest;
   const auto consider = [&](const Detection& other, double by_range, double by_azimuth) {
     if (!other.used || other.taker == Detection::kNoTaker || isShared(other)) return;
     const Track& track = tracks.at(other.taker);
     if (!track.firm || track.updated[turn.radar] != other.plot.time) return;
-    const double distance = std::hypot(by_range, plot.range * by_azimuth);
-    if (nearest && distance >= least) return;
-    nearest = other.taker;
-    least = distance;
+    const double along = -by_range, across = -plot.range * by_azimuth;
+    if (nearest && std::hypot(along, across) >= std::hypot(nearest->along, nearest->across)) return;
+    nearest = Parting{other.taker, plot.azimuth, along, across, 0.0, 0.0, 0.0, 0.0, 0.0};
   };
   for (std::int64_t s = turn.running - 2; s <= turn.running; ++s) {
     radar.detections.at(s).within(plot.range, plot.azimuth, reach.range, reach.azimuth, consider);
   }
+  if (nearest) weigh(*nearest, tracks.at(nearest->parent), plot, radar, turn.radar);
   return nearest;
 }
 
-double Bifurcation::chanceOfParting(const tws::Plot& plot, const RadarState& radar) const {
-  const Reach reach = partingReach(plot, radar);
+/// Up to the last time that they were seen as one, they were within one cell.
+void Bifurcation::weigh(Parting& parting, const Track& parent, const tws::Plot& plot, const RadarState& radar,
+                        std::size_t radar_index) const {
+  const Reach cell = cellOf(radar.quality), reach = partingReach(plot, radar);
+  const double usual = params_.parting.speed_sigma, period = radar.antenna.period();
+  const auto guess = [&](double distance, double width, double error, double elapsed, double& rate, double& sigma) {
+    rate = 0.0;
+    sigma = usual;
+    if (std::abs(distance) <= width) return;
+    rate = std::copysign(std::min((std::abs(distance) - 0.5 * width) / elapsed, params_.parting.speed), distance);
+    sigma = std::min(usual, kLeastSpeedSigma + std::sqrt(width * width / 12.0 + 2.0 * error * error) / elapsed);
+  };
+  guess(parting.along, cell.range, radar.quality.rangeSigma(), unseen(parent, radar_index, period), parting.rate_along,
+        parting.sigma_along);
+  guess(parting.across, cell.azimuth * plot.range, plot.range * radar.quality.azimuthSigma(), period,
+        parting.rate_across, parting.sigma_across);
   const double false_plots = 4.0 * reach.range * plot.range * reach.azimuth * radar.quality.falseDensity();
-  return params_.parting.per_scan / (params_.parting.per_scan + false_plots);
+  parting.chance = params_.parting.per_scan / (params_.parting.per_scan + false_plots);
 }
 
 }  // namespace adit_tracker

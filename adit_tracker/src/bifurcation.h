@@ -41,12 +41,9 @@ class Bifurcation {
   /// Has the track been hidden for so long that it is no longer believed to follow another target?
   bool hasMerged(const Track& track, const Detection& detection) const;
 
-  /// The track from which a target may have parted that gave this detection, which nobody used, in the sector before
-  /// the running one; nothing: none.
-  std::optional<TrackFile::Slot> parentOf(const TrackFile& tracks, const Detection& detection, RadarState& radar,
-                                          const Executive::Turn& turn) const;
-  /// The chance that it has, against a false plot.
-  double chanceOfParting(const tws::Plot& plot, const RadarState& radar) const;
+  /// What an unused detection of the sector before the running one parted from; nothing: it did not part.
+  std::optional<Parting> partingOf(const TrackFile& tracks, const Detection& detection, RadarState& radar,
+                                   const Executive::Turn& turn) const;
 
  private:
   /// Half-widths [m], [rad].
@@ -76,6 +73,8 @@ class Bifurcation {
   void tryToShare(const Run& run, TrackFile::Slot slot);
   std::optional<Shared> shareOf(const Run& run, const Track& hidden, const Track& taker,
                                 const Detection& detection) const;
+  void weigh(Parting& parting, const Track& parent, const tws::Plot& plot, const RadarState& radar,
+             std::size_t radar_index) const;
   bool isShared(const Detection& detection) const;
 
   AditParams params_;

@@ -13,6 +13,9 @@
 namespace adit_tracker {
 
 constexpr std::size_t kMaxRadars = 8;
+// After so many detections a track has settled: only then does it tell of its radar's errors, or is a partner of
+// others.
+constexpr std::int32_t kSettledUpdates = 6;
 
 /// The report's filter: range and azimuth apart.
 struct PolarFilter {

@@ -123,18 +123,22 @@ void TrackMotion::start(Track& track, const tws::Plot& plot, const RadarQuality&
   track.fixed = {z.x, z.y, z.covariance, 0.0};
 }
 
-void TrackMotion::inherit(Track& track, const Track& parent, double sigma) const {
+void TrackMotion::branch(Track& track, const Track& parent, const Parting& parting) const {
   const Kinematics its = at(parent, track.smoothed.time).kinematics;
+  Kinematics& own = track.smoothed;
   if (auto* polar = std::get_if<PolarFilter>(&track.filter)) {
-    polar->range.velocity = its.range_rate;
-    polar->azimuth.velocity = its.azimuth_rate;
-    track.smoothed =
-        fromPolar(track.smoothed.range, track.smoothed.azimuth, its.range_rate, its.azimuth_rate, track.smoothed.time);
+    polar->range.velocity = its.range_rate + parting.rate_along;
+    polar->azimuth.velocity = its.azimuth_rate + parting.rate_across / own.range;
+    own = fromPolar(own.range, own.azimuth, polar->range.velocity, polar->azimuth.velocity, own.time);
     return;
   }
+  const double s = std::sin(parting.azimuth), c = std::cos(parting.azimuth);
+  const double along = parting.sigma_along * parting.sigma_along, across = parting.sigma_across * parting.sigma_across;
   TurningFilter& filter = std::get<TurningFilter>(track.filter);
-  filter.setVelocity(its.vx, its.vy, sigma);
-  track.smoothed = fromPlanar(filter.mean(), track.smoothed.time);
+  filter.setVelocity(its.vx + parting.rate_along * s + parting.rate_across * c,
+                     its.vy + parting.rate_along * c - parting.rate_across * s,
+                     {along * s * s + across * c * c, (along - across) * s * c, along * c * c + across * s * s});
+  own = fromPlanar(filter.mean(), own.time);
 }
 
 double TrackMotion::update(Track& track, const tws::Plot& plot, const RadarQuality& quality, std::size_t radar) const {

@@ -13,6 +13,16 @@ struct Extrapolation {
   PlanarState planar;
 };
 
+/// A target that has parted from another one, as a radar sees it.
+struct Parting {
+  std::uint32_t parent;              // slot of the other's track
+  double azimuth;                    // of the beam [rad]
+  double along, across;              // how far from the other, along the beam and clockwise across it [m]
+  double rate_along, rate_across;    // how fast they part [m/s],
+  double sigma_along, sigma_across;  // the standard deviations of that
+  double chance;                     // that there is such a target: the detection may be a false plot
+};
+
 /// How a radar sees a track.
 struct Seen {
   double range, azimuth, azimuth_rate;  // [m], [rad], [rad/s]
@@ -38,9 +48,8 @@ class TrackMotion {
   /// Corrects by a detection. Returns the natural logarithm of its likelihood [1/m²]; 0 with the α-β filter.
   double update(Track& track, const tws::Plot& plot, const RadarQuality& quality, std::size_t radar = 0) const;
 
-  /// Gives a track that has just started the velocity of another one, with this standard deviation of each component
-  /// [m/s] (turning filter).
-  void inherit(Track& track, const Track& parent, double sigma) const;
+  /// Gives a track that has just started the velocity of another one and what they differ by.
+  void branch(Track& track, const Track& parent, const Parting& parting) const;
 
   /// Where the track is at `time`, which may be before the latest update by a little.
   Extrapolation at(const Track& track, double time) const;

@@ -209,11 +209,11 @@ void TurningFilter::start(const PlanarPosition& z, const TurningFilterParams& pa
   probability_ = {straight, 0.5 * (1.0 - straight), 0.5 * (1.0 - straight)};
 }
 
-void TurningFilter::setVelocity(double vx, double vy, double sigma) {
+void TurningFilter::setVelocity(double vx, double vy, const Symmetric2& covariance) {
   for (PlanarState& s : state_) {
     s.vx = vx;
     s.vy = vy;
-    s.velocity = {sigma * sigma, 0.0, sigma * sigma};
+    s.velocity = covariance;
   }
 }
 

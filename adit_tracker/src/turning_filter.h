@@ -67,8 +67,8 @@ class TurningFilter {
   /// A track from its first measurement, at rest, with velocity unknown.
   void start(const PlanarPosition& measurement, const TurningFilterParams& params);
 
-  /// Gives all models this velocity with this standard deviation of each component [m/s].
-  void setVelocity(double vx, double vy, double sigma);
+  /// Gives all models this velocity [m/s] with this covariance [m²/s²].
+  void setVelocity(double vx, double vy, const Symmetric2& covariance);
 
   /// Moves on by dt [s] ≥ 0, corrects by the measurement. Returns the natural logarithm of the measurement's likelihood
   /// [1/m²].
