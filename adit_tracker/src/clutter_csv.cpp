@@ -49,7 +49,7 @@ std::vector<ClutterPlace> readClutter(std::istream& input, const std::string& na
   std::string line;
   for (std::size_t number = 1; std::getline(input, line); ++number) {
     const auto refuse = [&](const std::string& reason) {
-      throw std::runtime_error(name + ":" + std::to_string(number) + ": " + reason);
+      throw std::runtime_error((name + ':' + std::to_string(number)).append(": ").append(reason));
     };
     const std::string_view text = trimmed(line);
     if (isComment(text)) continue;

@@ -33,7 +33,7 @@ ClutterLimits::ClutterLimits(const AditParams& params)
 }
 
 std::string ClutterLimits::add(const ClutterPlace& place) {
-  const std::string problem = problemOf(place);
+  std::string problem = problemOf(place);
   if (!problem.empty()) return problem;
   const auto radar = std::find(radars_.begin(), radars_.end(), place.radar);
   if (!place.radar.empty() && radar == radars_.end()) return "there is no radar '" + place.radar + "'";

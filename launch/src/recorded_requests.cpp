@@ -8,11 +8,17 @@
 namespace tws_launch {
 
 RecordedRequests::RecordedRequests(tws_runtime::LocalGraph& graph, const std::string& bag)
-    : publisher_(graph.addNode("recorded_requests").advertise<tws_msgs::OperatorRequest>("/adit/recorded_requests")) {
+    : RecordedRequests(graph.addNode("recorded_requests"), bag) {}
+
+RecordedRequests::RecordedRequests(tws_runtime::Bus& bus, const std::string& bag)
+    : publisher_(bus.advertise<tws_msgs::OperatorRequest>("/adit/recorded_requests")) {
   try {
     rosbag::Bag file(bag, rosbag::bagmode::Read);
     for (const rosbag::MessageInstance& message : rosbag::View(file, rosbag::TopicQuery("/adit/operator_requests")))
-      if (const auto request = message.instantiate<tws_msgs::OperatorRequest>()) requests_.push_back(request);
+      if (const auto request = message.instantiate<tws_msgs::OperatorRequest>())
+        requests_.push_back(request);
+      else
+        bus.counter("requests left out").add("an operator's requests were recorded in the form of another version");
     if (!requests_.empty()) begin_ = rosbag::View(file).getBeginTime();
   } catch (const rosbag::BagException& error) {
     throw std::runtime_error(bag + ": is missing, truncated or no bag: " + error.what());

@@ -20,6 +20,8 @@ class RecordedRequests : public tws_runtime::Source {
   void step() override;
 
  private:
+  RecordedRequests(tws_runtime::Bus& bus, const std::string& bag);
+
   tws_runtime::Publisher<tws_msgs::OperatorRequest> publisher_;
   std::vector<tws_msgs::OperatorRequest::ConstPtr> requests_;
   std::optional<ros::Time> begin_;  // of the bag; nothing: there are no more
