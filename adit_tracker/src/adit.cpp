@@ -35,13 +35,6 @@ std::size_t dropCopies(std::vector<tws::Plot>& plots) {
   return dropped;
 }
 
-std::size_t referenceIndex(const AditParams& params) {
-  for (std::size_t i = 0; i < params.radars.size(); ++i) {
-    if (params.radars[i].name == params.reference_radar) return i;
-  }
-  return params.radars.size() - 1;
-}
-
 AditParams checked(const AditParams& params) {
   check(params);
   return params;
@@ -52,13 +45,14 @@ AditParams checked(const AditParams& params) {
 Adit::Adit(const AditParams& params, Sink sink)
     : params_(checked(params)),
       sink_(std::move(sink)),
-      reference_(referenceIndex(params)),
+      reference_(radarIndex(params, params.reference_radar)),
       executive_(params.radars.size(), params.skew_limit),
       tracks_(params.capacity),
       correlator_(params),
       motion_(params),
       bifurcation_(params),
-      judge_(params) {
+      judge_(params),
+      heights_(params.elevation) {
   for (const RadarParams& radar : params.radars) radars_.emplace_back(radar, params.learn_noise);
   const std::size_t maps = params.clutter.per_radar ? radars_.size() : 1;
   for (std::size_t i = 0; i < maps; ++i) clutter_.emplace_back(params.clutter, params.conversion);
@@ -174,7 +168,10 @@ void Adit::process(const Executive::Turn& turn) {
 void Adit::end() {
   ++counts_.sectors;
   if (sink_) sink_(report_);
-  for (const auto slot : dropped_) tracks_.drop(slot);
+  for (const auto slot : dropped_) {
+    heights_.remove(tracks_.at(slot).uid);
+    tracks_.drop(slot);
+  }
 }
 
 /// A sector that is skipped. The clutter map must have seen those that are not any more.
@@ -260,6 +257,7 @@ void Adit::update(const Executive::Turn& turn, TrackFile::Slot slot, Detection& 
   const tws::Plot* const merged = bifurcation_.asSeenBy(track, detection);
   const double log_likelihood = motion_.update(track, merged ? *merged : plot, quality, turn.radar);
   if (merged == nullptr) track.apart = plot.time;
+  heights_.update(track.uid, plot);
   track.coasting = false;
   track.updated[turn.radar] = plot.time;
   track.illuminated[turn.radar] = Antenna::near(plot.azimuth, turn.running);

@@ -10,6 +10,7 @@
 #include "clutter_map.h"
 #include "correlator.h"
 #include "executive.h"
+#include "height_file.h"
 #include "radar_state.h"
 #include "track_file.h"
 #include "track_life.h"
@@ -103,11 +104,20 @@ class Adit {
   /// The running number of the radar's next sector.
   std::int64_t front(std::size_t radar) const { return executive_.front(radar); }
   std::size_t referenceRadar() const { return reference_; }
+  /// Do the radars stand at several sites?
+  bool severalSites() const { return sites_.size() > 1; }
+  const Antenna& antenna(std::size_t radar) const { return radars_[radar].antenna; }
   const TrackFile& tracks() const { return tracks_; }
   /// Every living track, by sector.
   std::vector<TrackFile::Slot> living() const;
   /// A track at any instant, by its filter.
   Extrapolation at(TrackFile::Slot slot, double time) const { return motion_.at(tracks_.at(slot), time); }
+  /// How that radar sees it then.
+  Seen seenBy(TrackFile::Slot slot, std::size_t radar, double time) const;
+  /// Its height, where elevations have told it.
+  std::optional<Height> height(TrackFile::Slot slot, double time) const {
+    return heights_.at(tracks_.at(slot).uid, time);
+  }
   /// Firm, and not in doubt after missed illuminations.
   bool believed(const Track& track) const { return judge_.believed(track); }
   /// The clutter maps: one, or one for each radar.
@@ -178,6 +188,7 @@ class Adit {
   TrackMotion motion_;
   Bifurcation bifurcation_;
   TrackJudge judge_;
+  HeightFile heights_;
   AditCounts counts_;
   std::uint64_t taken_ = 0;  // sectors
 

@@ -17,6 +17,12 @@ constexpr double kPredictionTolerance = 0.3;  // [s]
 
 }  // namespace
 
+Seen Adit::seenBy(TrackFile::Slot slot, std::size_t radar, double time) const {
+  if (motion_.joined()) return motion_.seenBy(tracks_.at(slot), radar, time);
+  const Kinematics k = at(slot, time).kinematics;
+  return {k.range, k.azimuth, k.azimuth_rate};
+}
+
 /// Updated or missed: a track that has moved on into the next sector has had its chance all the same.
 bool Adit::metOnThisScan(const Track& track, std::size_t radar, std::int64_t running) {
   return track.illuminated[radar] > Antenna::startOf(running) - tws::kPi;

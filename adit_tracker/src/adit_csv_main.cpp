@@ -77,6 +77,7 @@ struct Input {
   AditParams params;
   std::vector<ClutterPlace> clutter;
   std::vector<SectorFeed> feeds;
+  bool has_elevations = false;
   double first_time = std::numeric_limits<double>::infinity();
   double last_time = -std::numeric_limits<double>::infinity();
 };
@@ -93,6 +94,7 @@ RadarParams paramsOf(const std::string& id, const std::vector<RadarParams>& give
 Input inputOf(const Options& options, PlotTable& table) {
   Input input;
   input.params = baseParams(options);
+  input.has_elevations = table.has_elevations;
   const std::vector<RadarParams> given = std::exchange(input.params.radars, {});
   for (const RadarSpec& spec : radarsOf(options, table)) {
     const auto& plots = table.radars[spec.id];
@@ -114,7 +116,7 @@ class Run {
   Run(double epochs, Input input, std::ostream& output)
       : epochs_(epochs),
         input_(std::move(input)),
-        csv_(output),
+        csv_(output, input_.has_elevations),
         adit_(input_.params, [this](const SectorReport& r) { onSector(r); }) {}
 
   void go() {

@@ -15,6 +15,7 @@
 #include "adit.h"
 #include "adit_params_reader.h"
 #include "clutter_port.h"
+#include "elevation_port.h"
 #include "operator_port.h"
 #include "radar_sites.h"
 #include "status_report.h"
@@ -85,6 +86,7 @@ class AditNode::Impl {
         tracks_(bus.advertise<tws_msgs::Tracks>("/" + bus.name() + "/tracks")),
         clutter_(bus.advertise<tws_msgs::ClutterMap>("/" + bus.name() + "/clutter_map", true)),
         status_(bus.advertise<tws_msgs::TrackerStatus>("/" + bus.name() + "/status")),
+        elevation_(bus, params_.adit),
         operators_(bus, params_.frame, params_.point_topic, operatorHost()),
         clutter_port_(bus, operators_, params_.adit, params_.clutter_map,
                       [this] { return adit_ && adit_->counts().sectors > 0 ? &*adit_ : nullptr; }),
@@ -109,6 +111,7 @@ class AditNode::Impl {
     heard_.assign(params_.adit.radars.size(), -std::numeric_limits<double>::infinity());
     adit_.emplace(params_.adit, [this](const SectorReport& report) { publish(report); });
     clutter_port_.beginRun();
+    elevation_.begin(*adit_);
   }
 
   OperatorPort::Host operatorHost() {
@@ -200,6 +203,7 @@ class AditNode::Impl {
     }
     tracks_.publish(message);
     if (message.sector == 0) publishClutter(report);
+    elevation_.afterSector(*adit_, report);
   }
 
   /// Once a turn of each radar.
@@ -263,6 +267,7 @@ class AditNode::Impl {
   tws_runtime::Publisher<tws_msgs::Tracks> tracks_;
   tws_runtime::Publisher<tws_msgs::ClutterMap> clutter_;
   tws_runtime::Publisher<tws_msgs::TrackerStatus> status_;
+  ElevationPort elevation_;
   OperatorPort operators_;
   ClutterPort clutter_port_;
   std::deque<std::pair<std::size_t, tws::RadarSector>> waiting_;

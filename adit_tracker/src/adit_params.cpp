@@ -33,6 +33,8 @@ void checkRadars(const AditParams& params) {
   if (!params.reference_radar.empty() && names.count(params.reference_radar) == 0) {
     throw std::invalid_argument("reference_radar: there is no radar named " + params.reference_radar);
   }
+  if (!params.elevation.radar.empty() && names.count(params.elevation.radar) == 0)
+    throw std::invalid_argument("elevation.radar: there is no radar named " + params.elevation.radar);
 }
 
 void checkGates(const AditParams& params) {
@@ -114,6 +116,13 @@ AditParams AditParams::named(const std::string& name) {
 
 bool joinsSites(const AditParams& params) {
   return params.filter == FilterKind::kTurning && params.gates == GateKind::kStatistical && params.clutter.per_radar;
+}
+
+std::size_t radarIndex(const AditParams& params, const std::string& name) {
+  for (std::size_t i = 0; i < params.radars.size(); ++i) {
+    if (params.radars[i].name == name) return i;
+  }
+  return params.radars.size() - 1;
 }
 
 void check(const AditParams& params) {

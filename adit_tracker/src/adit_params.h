@@ -9,6 +9,7 @@
 #include <tws_core/sectors.h>
 #include <tws_core/units.h>
 
+#include "elevation_params.h"
 #include "gate.h"
 #include "turning_filter.h"
 
@@ -123,6 +124,7 @@ struct AditParams {
   bool bifurcation = true;  // Two tracks may live in one echo, and one track may become two.
   PartingParams parting;
   OperatorParams operators;
+  ElevationParams elevation;
 
   /// The named set without radars: "default" or "nrl7952", the report's letter. Throws std::invalid_argument.
   static AditParams named(const std::string& name);
@@ -131,6 +133,9 @@ struct AditParams {
 /// Can radars at different sites be joined? That needs the turning filter, which is on the plane, and a clutter map for
 /// each radar.
 bool joinsSites(const AditParams& params);
+
+/// The index of the radar of that name; of the last one when there is none. Needs a radar.
+std::size_t radarIndex(const AditParams& params, const std::string& name);
 
 /// Throws std::invalid_argument that names the parameter, its value and its range.
 void check(const AditParams& params);

@@ -150,6 +150,21 @@ void readOperators(ParameterReader reader, OperatorParams& p) {
   reader.done();
 }
 
+void readElevation(ParameterReader reader, ElevationParams& p) {
+  reader.text("radar", p.radar);
+  reader.integer("per_scan", p.per_scan, 1, 1000);
+  reader.integer("new_per_scan", p.new_per_scan, 1, 1000);
+  reader.integer("every_scans", p.every_scans, 1, 1000);
+  scaledNumber(reader, "lead_deg", p.lead, tws::kRadiansPerDegree, 0.0, 90.0);
+  reader.flag("automatic", p.automatic);
+  scaledNumber(reader, "sigma_deg", p.sigma, tws::kRadiansPerDegree, 1e-4, 20.0);
+  reader.number("climb_sigma_mps", p.climb_sigma, 0.1, 1e4);
+  reader.number("climb_acceleration", p.climb_acceleration, 0.0, 1e6);
+  reader.number("gate_sigmas", p.gate_sigmas, 0.5, 100.0);
+  reader.number("greatest_sigma_m", p.greatest_sigma, 1.0, 1e6);
+  reader.done();
+}
+
 }  // namespace
 
 AditParams readAditParams(ParameterReader& reader, const std::string& default_set) {
@@ -171,6 +186,7 @@ AditParams readAditParams(ParameterReader& reader, const std::string& default_se
   reader.flag("bifurcation", p.bifurcation);
   readParting(reader.map("parting"), p.parting);
   readOperators(reader.map("operator"), p.operators);
+  readElevation(reader.map("elevation"), p.elevation);
   return p;
 }
 

@@ -66,6 +66,10 @@ std::vector<double> valuesOf(const AditParams& p) {
   v.insert(v.end(),
            {static_cast<double>(p.bifurcation), b.cell_range_sigmas, b.cell_azimuth_sigmas, b.unresolved_time,
             b.branch_time, b.speed, b.speed_sigma, b.per_scan, static_cast<double>(b.firm_updates), b.moving_evidence});
+  const ElevationParams& s = p.elevation;
+  v.insert(v.end(), {static_cast<double>(s.per_scan), static_cast<double>(s.new_per_scan),
+                     static_cast<double>(s.every_scans), s.lead, static_cast<double>(s.automatic), s.sigma,
+                     s.climb_sigma, s.climb_acceleration, s.gate_sigmas, s.greatest_sigma});
   return v;
 }
 
@@ -175,6 +179,8 @@ constexpr Mistake kMistakes[] = {
     {"{radars: [{name: a}], bifurcation: sometimes}", "bifurcation", "true or false"},
     {"{radars: [{name: a}], parting: {firm_updates: 1}}", "parting.firm_updates", "[2, 100]"},
     {"{radars: [{name: a}], parting: {per_scan: 0}}", "parting.per_scan", "[1e-06, 1000]"},
+    {"{radars: [{name: a}], elevation: {per_scan: 0}}", "elevation.per_scan", "[1, 1000]"},
+    {"{radars: [{name: a}], elevation: {radar: b}}", "elevation.radar", "no radar named b"},
     {"{radars: [{name: a}], operator: {page: -1}}", "operator.page", "[0, 1000001]"},
     {"{radars: [{name: a}], operator: {point_sigma_m: 0}}", "operator.point_sigma_m", "[1, 100000]"},
     {"{radars: [{name: a}], track_gates: {range_m: [1, 2, 3]}}", "track_gates.range_m", "needs 5 values"},

@@ -18,6 +18,7 @@ std::optional<TrackFile::Slot> Adit::newTrack(std::size_t radar, const tws::Plot
   Track& track = tracks_.at(*slot);
   motion_.start(track, plot, radars_[radar].quality, radar);
   judge_.started(track, radars_[radar].quality);
+  heights_.update(track.uid, plot);
   if (sites_.size() > 1) doubtOtherSites(track, radar);
   const bool elsewhere = motion_.joined();
   if (params_.conversion.from_start) {

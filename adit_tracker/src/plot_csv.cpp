@@ -23,6 +23,15 @@ constexpr std::size_t kFewestPlots = 3;       // of a stretch: fewer make no tra
 constexpr double kFarthest = 30.0 * 86400.0;  // from the longest stretch [s]
 constexpr const char* kHeader[kColumns] = {"t_s", "radar", "scan", "range_m", "az_deg"};
 
+/// The n-th column of a line; empty when it has fewer.
+std::string_view columnOf(std::string_view line, std::size_t n) {
+  for (; n > 0 && line.data() != nullptr; --n) {
+    const auto comma = line.find(',');
+    line = comma == std::string_view::npos ? std::string_view{} : line.substr(comma + 1);
+  }
+  return line.data() == nullptr ? line : trimmed(line.substr(0, line.find(',')));
+}
+
 tws::Plot plotOf(const std::string_view (&columns)[kColumns]) {
   tws::Plot plot;
   plot.time = numberIn(columns[0], kHeader[0]);
@@ -34,6 +43,35 @@ tws::Plot plotOf(const std::string_view (&columns)[kColumns]) {
   if (plot.range <= 0.0) throw std::runtime_error("range_m is not positive: " + std::string(columns[3]));
   if (columns[1].empty()) throw std::runtime_error("radar is empty");
   return plot;
+}
+
+/// Where the header has columns that need not be there; 0: nowhere.
+struct FurtherColumns {
+  std::size_t elevation = 0, elevation_sigma = 0;
+};
+
+FurtherColumns furtherColumns(const std::string& header) {
+  FurtherColumns columns;
+  const auto count = static_cast<std::size_t>(std::count(header.begin(), header.end(), ',')) + 1;
+  for (std::size_t i = kColumns; i < count; ++i) {
+    if (columnOf(header, i) == "el_deg") columns.elevation = i;
+    if (columnOf(header, i) == "el_sigma_deg") columns.elevation_sigma = i;
+  }
+  return columns;
+}
+
+/// Throws the reason.
+void readFurther(std::string_view line, const FurtherColumns& columns, tws::Plot& plot) {
+  const auto read = [&](std::size_t column, const char* name, double least, double greatest, double& value) {
+    const std::string_view text = column == 0 ? std::string_view{} : columnOf(line, column);
+    if (text.empty()) return;
+    const double degrees = numberIn(text, name);
+    if (degrees < least || degrees > greatest)
+      throw std::runtime_error(std::string(name) + " is out of range: " + std::string(text));
+    value = tws::radians(degrees);
+  };
+  read(columns.elevation, "el_deg", -90.0, 90.0, plot.elevation);
+  read(columns.elevation_sigma, "el_sigma_deg", 0.0, 90.0, plot.elevation_sigma);
 }
 
 void checkHeader(const std::string& line, const std::string& name) {
@@ -65,13 +103,16 @@ std::vector<Stretch> stretchesOf(const std::vector<Line>& lines) {
 
 class Reader {
  public:
-  explicit Reader(std::string name) : name_(std::move(name)) {}
+  Reader(std::string name, const FurtherColumns& further) : name_(std::move(name)), further_(further) {
+    table_.has_elevations = further.elevation > 0;
+  }
 
   void read(std::size_t number, std::string_view text) {
     try {
       std::string_view columns[kColumns];
       if (!splitFields(text, columns)) throw std::runtime_error("has fewer than five columns");
-      const tws::Plot plot = plotOf(columns);
+      tws::Plot plot = plotOf(columns);
+      readFurther(text, further_, plot);
       lines_.push_back({number, std::string(columns[1]), plot});
     } catch (const std::runtime_error& error) {
       refuse(number, error.what());
@@ -115,6 +156,7 @@ class Reader {
   }
 
   std::string name_;
+  FurtherColumns further_;
   std::vector<Line> lines_;
   PlotTable table_;
 };
@@ -125,7 +167,7 @@ PlotTable readPlots(std::istream& input, const std::string& name) {
   std::string line;
   std::getline(input, line);
   checkHeader(line, name);
-  Reader reader(name);
+  Reader reader(name, furtherColumns(line));
   for (std::size_t number = 2; std::getline(input, line); ++number) {
     if (!trimmed(line).empty()) reader.read(number, line);
   }

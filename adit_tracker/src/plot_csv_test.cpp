@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <sstream>
 
 namespace adit_tracker {
@@ -36,6 +37,24 @@ TEST(PlotCsv, IgnoresFurtherColumnsBlanksAndEmptyLines) {
       read("t_s,radar,scan,range_m,az_deg,truth\r\n 1.0 , a ,7, 1000 ,10,x,y\r\n\r\n   \n2,a,,1000,10\n");
   EXPECT_EQ(table.plots, 2U);
   EXPECT_EQ(table.refused, 0U);
+}
+
+// 3-D radars say elevations; the report's EM39.
+TEST(PlotCsv, ReadsElevationsWhereTheHeaderNamesThem) {
+  const PlotTable table = read(
+      "t_s,radar,scan,range_m,az_deg,src,el_deg,el_sigma_deg\n1,a,0,1000,10,x,30,0.2\n2,a,0,1000,10,x,,\n3,a,0,1000,"
+      "10\n"
+      "4,a,0,1000,10,x,91,\n5,a,0,1000,10,x,high,\n");
+  EXPECT_TRUE(table.has_elevations);
+  const auto& plots = table.radars.at("a");
+  ASSERT_EQ(plots.size(), 3U);
+  EXPECT_NEAR(plots[0].elevation, 3.14159265358979 / 6.0, 1e-12);
+  EXPECT_NEAR(plots[0].elevation_sigma, 3.14159265358979 / 900.0, 1e-12);
+  EXPECT_TRUE(std::isnan(plots[1].elevation));
+  EXPECT_TRUE(std::isnan(plots[2].elevation));
+  ASSERT_EQ(table.complaints.size(), 2U);
+  EXPECT_EQ(table.complaints[0], "plots.csv:5: el_deg is out of range: 91");
+  EXPECT_FALSE(read(std::string(kHeader) + "1,a,0,1000,10\n").has_elevations);
 }
 
 struct BadLine {

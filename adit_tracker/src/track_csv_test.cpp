@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <set>
 #include <sstream>
 
@@ -40,6 +41,30 @@ class TrackCsvTest : public testing::Test {
 
 TEST_F(TrackCsvTest, HasTheHeaderThatOtherProgramsRelyOn) {
   EXPECT_EQ(text_.str(), "t_s,track_id,x_m,y_m,vx_mps,vy_mps,status\n");
+}
+
+// Whoever reads the file without heights must find the columns that he knows.
+TEST_F(TrackCsvTest, HeightsComeBehindTheUsualColumnsWhereTheyAreKnown) {
+  std::ostringstream text;
+  TrackCsv csv(text, true);
+  adit_.emplace(paramsFor("default", {6.0}), [&](const SectorReport& r) { csv.report(*adit_, r); });
+  const TestRadar radar(6.0);
+  auto sectors = radar.sectors(0.0, 40.0);
+  radar.see({30e3, -10e3, 0.0, 200.0}, sectors);
+  for (auto& sector : sectors) {
+    for (tws::Plot& plot : sector.plots) {
+      if (plot.time > 20.0) plot.elevation = std::asin(0.2 - plot.range / (2.0 * 8494.7e3));
+    }
+    adit_->add(0, sector);
+  }
+  adit_->finish();
+  const auto rows = rowsOf(text.str());
+  ASSERT_GT(rows.size(), 6U);
+  EXPECT_EQ(rows[0].back(), "height_sigma_m");
+  EXPECT_EQ(rows[1].size(), 8U);  // the last two are empty
+  ASSERT_EQ(rows.back().size(), 9U);
+  const double range = std::hypot(std::stod(rows.back()[2]), std::stod(rows.back()[3]));
+  EXPECT_NEAR(std::stod(rows.back()[7]), 0.2 * range, 60.0);  // R sin e and the earth's curvature, which cancel here
 }
 
 // If this fails, whoever reads the file takes wrong tracks for good ones.

@@ -7,6 +7,8 @@
 
 #include <tws_core/angles.h>
 
+#include "track_height.h"
+
 namespace adit_tracker {
 namespace {
 
@@ -74,7 +76,8 @@ tws_msgs::Track trackMessage(const Adit& adit, const TrackWord& word, const Site
     message.radar_updates.push_back(tws_runtime::toTime(track.updated[radar]));
   }
   message.mode_1 = message.mode_2 = message.mode_3a = tws_msgs::Track::CODE_UNKNOWN;
-  message.height = kUnknown;
+  message.height = message.height_sigma = kUnknown;
+  if (const auto height = adit.height(word.slot, word.time)) setHeight(message, *height, site, !adit.severalSites());
   return message;
 }
 

@@ -32,6 +32,7 @@ void setMotion(tws_msgs::Track& message, const tws::SpatialState& state, const A
   message.position.x = place.x();
   message.position.y = place.y();
   message.position.z = message.height = place.z();
+  message.height_sigma = kUnknown;
   message.velocity.x = velocity.x();
   message.velocity.y = velocity.y();
   message.velocity.z = velocity.z();

@@ -9,14 +9,6 @@ namespace radar_sim {
 
 double horizonDistance(double height) { return std::sqrt(2.0 * kEffectiveEarthRadius * std::max(height, 0.0)); }
 
-// The triangle earth centre, antenna, target: (a + ht)² = (a + ha)² + R² + 2 (a + ha) R sin(elevation).
-double sineOfElevation(double antenna_height, double target_height, double slant_range) {
-  const double to_antenna = kEffectiveEarthRadius + antenna_height;
-  const double rise = target_height - antenna_height;
-  const double sine = (rise * (2.0 * to_antenna + rise) - slant_range * slant_range) / (2.0 * to_antenna * slant_range);
-  return std::clamp(sine, -1.0, 1.0);
-}
-
 bool isBeyondHorizon(double antenna_height, double target_height, double slant_range) {
   return slant_range > horizonDistance(antenna_height) + horizonDistance(target_height);
 }

@@ -1,18 +1,15 @@
 #pragma once
 
-#include <tws_core/geodesy.h>
+#include <tws_core/refraction.h>
 
 namespace radar_sim {
 
-/// Propagation over a smooth sea on a round earth. Refraction is taken in by an effective earth radius of 4/3 of the
-/// true one (Skolnik, Introduction to Radar Systems, 2nd ed., section 12.4).
-constexpr double kEffectiveEarthRadius = 4.0 / 3.0 * tws::kMeanEarthRadius;  // [m]
+// Propagation over a smooth sea on a round earth, refraction included.
+using tws::kEffectiveEarthRadius;
+using tws::sineOfElevation;
 
 /// Distance to the horizon of an antenna, sqrt(2 a h) [m]; height above the sea >= 0 [m].
 double horizonDistance(double height);
-
-/// Sine of the elevation at which a target appears, over the 4/3 earth. Heights above the sea [m], slant range > 0 [m].
-double sineOfElevation(double antenna_height, double target_height, double slant_range);
 
 /// The target lies beyond the radar horizon, so that only diffraction would reach it.
 bool isBeyondHorizon(double antenna_height, double target_height, double slant_range);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,19 @@ struct ElevationBeam {
   /// Above its upper half-power point the gain falls as cosec² up to here [rad], so that an aircraft at constant height
   /// keeps its signal; 0: no such shaping.
   double cosecant_to = 0.0;
+};
+
+/// How a radar searches in elevation where it is told to: at a designated azimuth it begins several elevation scans,
+/// which lie side by side in azimuth, and looks into a range interval. The search of the turn goes on beside them.
+struct ElevationSearchParams {
+  long per_turn = 8;                            ///< Searches that it takes for one turn.
+  long scans = 4;                               ///< Of one search.
+  double width = tws::radians(7.0);             ///< Of azimuth, all scans of one search together [rad].
+  double range_interval = 6000.0;               ///< Full length, centred on the designated range [m].
+  double beamwidth = tws::radians(2.25);        ///< Of the scanned beam in elevation, full width at half power [rad].
+  double max_elevation = tws::radians(45.0);    ///< Scans go from 0 up to here [rad].
+  double pulses = 2.0;                          ///< Integrated while the scanned beam is on a target.
+  double elevation_sigma = tws::radians(0.15);  ///< Of the elevation that one search measures [rad].
 };
 
 /// One rotating search radar. Defaults are those of no particular set.
@@ -56,6 +70,8 @@ struct RadarParams {
   // False alarms.
   double false_alarms_per_scan = 20.0;  ///< Poisson mean.
   bool false_alarms_by_area = true;     ///< Uniform over area; false: uniform over range cells.
+
+  std::optional<ElevationSearchParams> elevation_search;  ///< Nothing: it cannot.
 };
 
 }  // namespace radar_sim

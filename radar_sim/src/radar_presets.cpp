@@ -46,6 +46,7 @@ RadarParams sps39() {
   radar.integration_efficiency = 0.8;
   radar.range_sigma = 75.0;
   radar.azimuth_sigma = tws::radians(0.2);
+  radar.elevation_search.emplace();
   return radar;
 }
 

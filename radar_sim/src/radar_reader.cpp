@@ -73,6 +73,22 @@ void readMeasurement(ParameterReader& reader, RadarParams& radar) {
   radar.false_alarms_by_area = by == "area";
 }
 
+void readElevationSearch(ParameterReader& reader, std::optional<ElevationSearchParams>& search) {
+  ParameterReader map = reader.map("elevation_search");
+  if (!reader.has("elevation_search")) return;
+  ElevationSearchParams p = search.value_or(ElevationSearchParams{});
+  map.integer("per_turn", p.per_turn, 0, 1000);
+  map.integer("scans", p.scans, 1, 64);
+  scaledNumber(map, "width_deg", p.width, kRadiansPerDegree, 0.1, 90.0);
+  map.number("range_interval_m", p.range_interval, 10.0, kFarthest);
+  scaledNumber(map, "beamwidth_deg", p.beamwidth, kRadiansPerDegree, 0.1, 90.0);
+  scaledNumber(map, "max_elevation_deg", p.max_elevation, kRadiansPerDegree, 1.0, 90.0);
+  map.number("pulses", p.pulses, 1.0, 1e6);
+  scaledNumber(map, "elevation_sigma_deg", p.elevation_sigma, kRadiansPerDegree, 0.0, 10.0);
+  map.done();
+  search = p;
+}
+
 }  // namespace
 
 void readRadarName(ParameterReader& reader, std::string& name) {
@@ -92,6 +108,7 @@ RadarParams readRadar(ParameterReader& reader) {
   readAntenna(reader, radar);
   readRadarEquation(reader, radar);
   readMeasurement(reader, radar);
+  readElevationSearch(reader, radar.elevation_search);
   reader.done();
   return radar;
 }

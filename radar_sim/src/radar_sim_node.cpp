@@ -9,6 +9,7 @@
 
 #include "array_loop.h"
 #include "conversions.h"
+#include "elevation_loop.h"
 #include "range_loop.h"
 #include "scenario.h"
 #include "simulation.h"
@@ -66,6 +67,7 @@ void RadarSimNode::advertise(tws_runtime::Bus& bus) {
     radar_topics_.push_back({bus.advertise<tws_msgs::Detections>("/" + radar.name + "/detections"),
                              bus.advertise<tws_msgs::SectorMark>("/" + radar.name + "/sector_marks")});
     bus.publishStaticTransform(toTransform(mapToRadar(*scenario_, radar), radar.name));
+    if (radar.elevation_search) elevation_loops_.emplace_back(bus, *simulation_, radar_topics_.size() - 1);
   }
   for (const SecondaryParams& radar : scenario_->secondary_radars) {
     secondary_topics_.push_back({bus.advertise<tws_msgs::SsrPlots>("/" + radar.name + "/plots"),
@@ -117,17 +119,20 @@ double RadarSimNode::duration() const { return scenario_->duration; }
 bool RadarSimNode::isReady() const {
   const auto isReady = [](const auto& loop) { return loop.isReady(); };
   return std::all_of(array_loops_.begin(), array_loops_.end(), isReady) &&
-         std::all_of(range_loops_.begin(), range_loops_.end(), isReady);
+         std::all_of(range_loops_.begin(), range_loops_.end(), isReady) &&
+         std::all_of(elevation_loops_.begin(), elevation_loops_.end(), isReady);
 }
 
 void RadarSimNode::stopWaiting() {
   for (ArrayLoop& loop : array_loops_) loop.stopWaiting();
   for (RangeLoop& loop : range_loops_) loop.stopWaiting();
+  for (ElevationLoop& loop : elevation_loops_) loop.stopWaiting();
 }
 
 void RadarSimNode::step() {
   for (ArrayLoop& loop : array_loops_) loop.prepareStep();
   for (RangeLoop& loop : range_loops_) loop.prepareStep();
+  for (ElevationLoop& loop : elevation_loops_) loop.prepareStep();
   std::visit([this](const auto& report) { publish(report); }, simulation_->step());
 }
 
@@ -135,6 +140,7 @@ void RadarSimNode::publish(const SectorReport& report) {
   const std::string& radar = simulation_->radars()[report.radar].params().name;
   radar_topics_[report.radar].detections.publish(tws_runtime::toDetections(report.sector, radar, radar));
   feedTracks(report);
+  for (ElevationLoop& loop : elevation_loops_) loop.hearMark(report);
   radar_topics_[report.radar].marks.publish(toSectorMark(report, *simulation_));
 }
 

@@ -8,6 +8,18 @@
 namespace radar_sim {
 namespace {
 
+/// Sets the centre of power of the elevations, of echoes that have one.
+void mergeElevations(const std::vector<Echo>& cell, Echo& merged) {
+  double power = 0.0, sum = 0.0;
+  for (const Echo& echo : cell) {
+    if (std::isnan(echo.elevation)) continue;
+    power += echo.power;
+    sum += echo.power * echo.elevation;
+    merged.elevation_sigma = echo.elevation_sigma;
+  }
+  if (power > 0.0) merged.elevation = sum / power;
+}
+
 Echo merge(const std::vector<Echo>& cell) {
   const auto weaker = [](const Echo& a, const Echo& b) { return a.power < b.power; };
   Echo merged = *std::max_element(cell.begin(), cell.end(), weaker);
@@ -22,6 +34,7 @@ Echo merge(const std::vector<Echo>& cell) {
     merged.azimuth += weight * tws::angularDifference(echo.azimuth, strongest.azimuth);
   }
   merged.power = power;
+  mergeElevations(cell, merged);
   return merged;
 }
 

@@ -2,16 +2,20 @@
 
 #include <vector>
 
+#include <tws_core/plot.h>
+
 namespace radar_sim {
 
 /// What crossed the threshold, before the resolution cell and the measurement.
 struct Echo {
-  double time;                 ///< The beam is on it [s of data time].
-  double range;                ///< Without error [m].
-  double azimuth;              ///< Without error [rad].
-  double power;                ///< In units of the mean noise power.
-  double range_error = 0.0;    ///< Of the measurement [m].
-  double azimuth_error = 0.0;  ///< Of the measurement [rad].
+  double time;                                   ///< The beam is on it [s of data time].
+  double range;                                  ///< Without error [m].
+  double azimuth;                                ///< Without error [rad].
+  double power;                                  ///< In units of the mean noise power.
+  double range_error = 0.0;                      ///< Of the measurement [m].
+  double azimuth_error = 0.0;                    ///< Of the measurement [rad].
+  double elevation = tws::Plot::kUnknown;        ///< As measured [rad]; NaN: not.
+  double elevation_sigma = tws::Plot::kUnknown;  ///< Of that [rad].
 };
 
 /// Closes the resolution cells whose first echo comes before `until`, takes their echoes out of `pending` and returns

@@ -7,6 +7,7 @@
 #include <tws_core/angles.h>
 #include <tws_core/sectors.h>
 
+#include "propagation.h"
 #include "radar_equation.h"
 #include "reported_place.h"
 
@@ -40,6 +41,7 @@ RotatingRadar::RotatingRadar(RadarParams params, const Eigen::Isometry3d& map_to
       crossings_(
           mast_.antenna(), targets,
           [this](std::size_t target, double time) { return polarOf(targets_[target], time).azimuth; }, start_time),
+      elevation_searches_(params_),
       next_false_alarm_sector_(mast_.nextSector()) {
   for (const Target& target : targets) {
     target_streams_.push_back(RandomStream::hash(params_.name + "/" + target.name));
@@ -89,14 +91,41 @@ void RotatingRadar::illuminate(std::size_t target, double time) {
   const double turns = (antenna().angleAt(time) - polar.azimuth) / tws::kTwoPi;
   RandomStream random(seed_, target_streams_[target], static_cast<std::uint64_t>(std::lround(turns)));
   const double power = drawPower(it.reflection.fluctuation, meanSnrOf(target, time, polar.range), random);
-  if (power < -std::log(params_.false_alarm_probability)) return;
-  const double snr = power - 1.0;
-  Echo echo{time, polar.range, polar.azimuth, power};
+  const auto look = lookInElevation(target, time, polar);
+  const bool is_detected = power >= -std::log(params_.false_alarm_probability);
+  if (!is_detected && !look) return;
+  Echo echo{time, polar.range, polar.azimuth, is_detected ? power : look->power};
+  const double snr = echo.power - 1.0;
+  if (look) {
+    echo.elevation = look->elevation;
+    echo.elevation_sigma = look->sigma;
+  }
   echo.range_error = drawError(noiseSigma(params_, params_.range_sigma, rangeCell(params_), snr), random) +
                      drawError(it.reflection.jitter, random);
   echo.azimuth_error = drawError(noiseSigma(params_, params_.azimuth_sigma, params_.azimuth_beamwidth, snr), random) +
                        drawError(it.reflection.jitter, random) / polar.range;
   pending_.push_back(echo);
+}
+
+std::optional<ElevationLook> RotatingRadar::lookInElevation(std::size_t target, double time,
+                                                            const tws::Polar& polar) const {
+  const double angle = antenna().angleAt(time);
+  const double gain = elevation_searches_.gainAt(angle, polar.range);
+  if (gain <= 0.0) return std::nullopt;
+  const Target& it = targets_[target];
+  const auto turn = static_cast<std::uint64_t>(std::lround((angle - polar.azimuth) / tws::kTwoPi));
+  RandomStream random(seed_, params_.name + "/elevation/" + it.name, turn);
+  const double height = it.trajectory->at(time).height;
+  const double elevation = std::asin(sineOfElevation(params_.antenna_height, height, polar.range));
+  const double snr = std::isnan(stated_snr_[target])
+                         ? meanSnr(scanningBeam(params_, elevation), it.reflection.rcs, polar.range, height)
+                         : stated_snr_[target];
+  return look(params_, it.reflection.fluctuation, gain * snr, elevation, random);
+}
+
+std::size_t RotatingRadar::setElevationSearches(const std::vector<ElevationOrder>& orders) {
+  const std::int64_t north = mast_.nextSector() + 1;
+  return elevation_searches_.set(orders, static_cast<double>(north) * tws::kSectorWidth);
 }
 
 void RotatingRadar::raiseFalseAlarms(double until) {
@@ -159,6 +188,8 @@ tws::Plot RotatingRadar::measure(const Echo& echo, const SectorSpan& sector) con
   plot.azimuth = place.azimuth;
   plot.range_sigma = noiseSigma(params_, params_.range_sigma, rangeCell(params_), snr);
   plot.azimuth_sigma = noiseSigma(params_, params_.azimuth_sigma, params_.azimuth_beamwidth, snr);
+  plot.elevation = echo.elevation;
+  plot.elevation_sigma = echo.elevation_sigma;
   plot.snr = 10.0 * std::log10(snr);
   return plot;
 }

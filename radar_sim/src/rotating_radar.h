@@ -6,8 +6,10 @@
 
 #include <tws_core/geometry.h>
 #include <tws_core/plot.h>
+#include <tws_core/sectors.h>
 
 #include "beam_crossings.h"
+#include "elevation_searches.h"
 #include "fault.h"
 #include "mast.h"
 #include "radar_params.h"
@@ -39,6 +41,12 @@ class RotatingRadar {
   /// their sector.
   tws::RadarSector closeSector();
 
+  /// The mark that closes the next sector is the north mark.
+  bool isNorthNext() const { return (mast_.nextSector() + 1) % tws::kSectors == 0; }
+  /// Takes the elevation searches of the turn that begins with the north mark that comes next, in their order, as many
+  /// as it can make. Returns how many it takes.
+  std::size_t setElevationSearches(const std::vector<ElevationOrder>& orders);
+
   /// During an outage there is neither mark nor detection; the antenna still turns.
   bool isSilentAt(double time) const { return isFaulty(faults_, FaultKind::kOutage, time); }
   /// Slant range, azimuth and elevation of a target at the site.
@@ -57,6 +65,8 @@ class RotatingRadar {
   double meanSnrOf(std::size_t target, double time, double slant_range) const;
   void illuminateTargets(double until);
   void illuminate(std::size_t target, double time);
+  /// What the elevation scans that pass over the target see of it; nothing: none do, or they do not detect it.
+  std::optional<ElevationLook> lookInElevation(std::size_t target, double time, const tws::Polar& polar) const;
   void raiseFalseAlarms(double until);
   void drawFalseAlarms(std::int64_t sector, double per_scan, const Fault* burst, const std::string& stream);
   std::vector<Echo> takeEchoes(double until);
@@ -71,6 +81,7 @@ class RotatingRadar {
   std::vector<std::uint64_t> target_streams_;
   std::vector<double> stated_snr_;  ///< Of targets with a stated detection probability; else NaN.
   BeamCrossings crossings_;
+  ElevationSearches elevation_searches_;
   std::int64_t next_false_alarm_sector_;
   std::vector<Echo> pending_;   ///< Detected, their resolution cell still open; in order of time.
   std::vector<Echo> resolved_;  ///< Not yet in a closed sector.

@@ -85,6 +85,10 @@ class Simulation {
   const std::deque<SecondaryRadar>& secondaryRadars() const { return secondary_radars_; }
   const std::deque<ArrayRadar>& arrayRadars() const { return array_radars_; }
   const std::deque<RangeRadar>& rangeRadars() const { return range_radars_; }
+  /// See RotatingRadar::setElevationSearches().
+  std::size_t setElevationSearches(std::size_t radar, const std::vector<ElevationOrder>& orders) {
+    return radars_[radar].setElevationSearches(orders);
+  }
   /// Closes the loop of an array: its dwells are planned by these tracks from now on.
   void setTracks(std::size_t array, std::vector<ArrayTrack> tracks) {
     array_radars_[array].setTracks(std::move(tracks));

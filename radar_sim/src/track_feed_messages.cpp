@@ -81,7 +81,7 @@ Track toTrack(const TrackFeed& feed, const FedTrack& track, const Target& target
   message.radars = {feed.params().clock_radar};
   message.radar_updates = {message.last_update};
   message.mode_1 = message.mode_2 = message.mode_3a = Track::CODE_UNKNOWN;
-  message.height = tws::Plot::kUnknown;
+  message.height = message.height_sigma = tws::Plot::kUnknown;
   if (!primary) setIdentity(target, track, message);
   return message;
 }

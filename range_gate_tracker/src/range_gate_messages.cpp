@@ -62,7 +62,7 @@ tws_msgs::Track toTrack(const GateReport& report, double azimuth) {
   track.range = report.smoothed;
   track.azimuth = std::isnan(azimuth) ? kUnknown : tws::wrapTwoPi(azimuth);
   track.range_rate = report.rate;
-  track.elevation = track.azimuth_rate = track.height = kUnknown;
+  track.elevation = track.azimuth_rate = track.height = track.height_sigma = kUnknown;
   track.detection_bits =
       report.lock == Lock::kLocked ? std::uint16_t{tws_msgs::Track::DETECTED_BY_RADAR_0} : std::uint16_t{0};
   track.mode_1 = track.mode_2 = track.mode_3a = tws_msgs::Track::CODE_UNKNOWN;

@@ -66,7 +66,7 @@ tws_msgs::Track trackMessage(const WindowTracker& tracker, const WindowWord& wor
     message.radar_updates.push_back(message.last_update);
   }
   message.mode_1 = message.mode_2 = message.mode_3a = tws_msgs::Track::CODE_UNKNOWN;
-  message.height = kUnknown;
+  message.height = message.height_sigma = kUnknown;
   return message;
 }
 

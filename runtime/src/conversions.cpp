@@ -64,6 +64,7 @@ std::string faultOf(const tws_msgs::Detection& detection) {
       {"range rate", detection.range_rate, -kLargest, kLargest, true},
       {"range sigma", detection.range_sigma, 0.0, kLargest, true},
       {"azimuth sigma", detection.azimuth_sigma, 0.0, kLargest, true},
+      {"elevation sigma", detection.elevation_sigma, 0.0, kLargest, true},
       {"signal-to-noise ratio", detection.snr, -kLargest, kLargest, true},
   };
   for (const Field& field : fields) {
@@ -84,6 +85,7 @@ tws::Plot toPlot(const tws_msgs::Detection& detection) {
   plot.range_rate = detection.range_rate;
   plot.range_sigma = detection.range_sigma;
   plot.azimuth_sigma = detection.azimuth_sigma;
+  plot.elevation_sigma = detection.elevation_sigma;
   plot.snr = static_cast<double>(detection.snr);
   return plot;
 }
@@ -97,6 +99,7 @@ tws_msgs::Detection toDetection(const tws::Plot& plot) {
   detection.range_rate = plot.range_rate;
   detection.range_sigma = plot.range_sigma;
   detection.azimuth_sigma = plot.azimuth_sigma;
+  detection.elevation_sigma = plot.elevation_sigma;
   detection.snr = static_cast<float>(plot.snr);
   return detection;
 }

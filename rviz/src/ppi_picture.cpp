@@ -34,8 +34,12 @@ void PpiPicture::hear(std::size_t radar, const Blip& detection) {
 
 void PpiPicture::hear(TrackReport report) {
   const bool of_tracker = report.source < params_.trackers.size();
-  if (of_tracker && report.state != TrackState::kDropped && report.identity.empty())
-    report.identity = identities_.at(report.time, report.position, report.velocity);
+  // What a transponder replies says more than a flight level that the tracker has measured, without a code.
+  const bool has_code = !report.identity.empty() && report.identity.front() != 'F';
+  if (of_tracker && report.state != TrackState::kDropped && !has_code) {
+    const std::string heard = identities_.at(report.time, report.position, report.velocity);
+    if (!heard.empty()) report.identity = heard;
+  }
   tracks_.hear(report);
 }
 

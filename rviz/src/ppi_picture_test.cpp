@@ -66,6 +66,10 @@ TEST(PpiPicture, ATrackBearsTheCodeOfTheSecondaryRadarsPlotAndKeepsIt) {
   track.heard = track.time = 120.0;  // The plot is too old now.
   picture.hear(track);
   EXPECT_TRUE(says(picture.tracks(120.0), "7\n0kn\n1234 F350"));
+  track.identity = "F350";  // The tracker's own height, of an elevation search, is no code.
+  picture.hear(IdentityPlot{120.0, {50e3, 0.0}, "1234 F351"});
+  picture.hear(track);
+  EXPECT_TRUE(says(picture.tracks(120.0), "7\n0kn\n1234 F351"));
   track.identity = "4321";
   picture.hear(track);
   EXPECT_TRUE(says(picture.tracks(120.0), "7\n0kn\n4321"));

@@ -35,7 +35,10 @@ void takeIdentity(const Track& secondary, Track& track) {
   track.mode_3a = secondary.mode_3a;
   track.aircraft_address = secondary.aircraft_address;
   track.callsign = secondary.callsign;
-  track.height = secondary.height;
+  if (!std::isnan(secondary.height)) {
+    track.height = secondary.height;
+    track.height_sigma = secondary.height_sigma;
+  }
   track.detection_bits |= secondary.detection_bits;
   track.first_detection = std::min(track.first_detection, secondary.first_detection);
   track.last_update = std::max(track.last_update, secondary.last_update);

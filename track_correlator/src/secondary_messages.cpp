@@ -127,6 +127,7 @@ tws_msgs::Track trackMessage(const SecondaryWord& word, const Site& site, const 
   message.aircraft_address = track.aircraft_address;
   message.callsign = track.callsign;
   message.height = track.height.value();
+  message.height_sigma = kUnknown;
   return message;
 }
 

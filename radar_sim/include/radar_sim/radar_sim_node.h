@@ -20,6 +20,7 @@ namespace radar_sim {
 
 class ArrayLoop;
 struct ArrayReport;
+class ElevationLoop;
 class RangeLoop;
 struct RangeReport;
 struct Scenario;
@@ -87,6 +88,7 @@ class RadarSimNode : public tws_runtime::Source {
   std::vector<Feed> feeds_;
   std::deque<ArrayLoop> array_loops_;
   std::deque<RangeLoop> range_loops_;
+  std::deque<ElevationLoop> elevation_loops_;
   tws_runtime::Publisher<tws_msgs::Truth> truth_topic_;
 };
 

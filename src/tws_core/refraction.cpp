@@ -1,0 +1,23 @@
+#include <tws_core/refraction.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace tws {
+
+// The triangle earth centre, antenna, target: (a + ht)² = (a + ha)² + R² + 2 (a + ha) R sin(elevation).
+double sineOfElevation(double antenna_height, double target_height, double slant_range, double earth_radius) {
+  const double to_antenna = earth_radius + antenna_height;
+  const double rise = target_height - antenna_height;
+  const double sine = (rise * (2.0 * to_antenna + rise) - slant_range * slant_range) / (2.0 * to_antenna * slant_range);
+  return std::clamp(sine, -1.0, 1.0);
+}
+
+// The same solved for the rise; the root of a sum less one of its terms, without the loss of digits.
+double heightOf(double antenna_height, double sine_of_elevation, double slant_range, double earth_radius) {
+  const double to_antenna = earth_radius + antenna_height;
+  const double more = slant_range * (slant_range + 2.0 * to_antenna * sine_of_elevation);
+  return antenna_height + more / (to_antenna + std::sqrt(std::max(to_antenna * to_antenna + more, 0.0)));
+}
+
+}  // namespace tws
