@@ -65,14 +65,20 @@ def apart(a, b):
     return math.hypot(a[0] - b[0], 0.5 * (a[0] + b[0]) * math.remainder(a[1] - b[1], 2 * math.pi))
 
 
+def north(time):
+    """Where the scenario's aircraft of that name is: slant range [m], azimuth [degrees]."""
+    x, y = (60e3 * f(math.radians(340)) + 200 * time * f(math.radians(200)) for f in (math.sin, math.cos))
+    return math.hypot(x, y, 5000), math.degrees(math.atan2(x, y)) % 360
+
+
 class ClutterTest(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         rospy.init_node("clutter_test", disable_rostime=True)
         cls.folder = pathlib.Path(tempfile.mkdtemp(prefix="clutter_"))
         cls.live, cls.saved, cls.given = (cls.folder / name for name in ("live.bag", "saved.csv", "given.csv"))
-        cls.given.write_text("radar,range_m,az_deg\n# where an aircraft flies\n" +
-                             "".join(f"*,{range_m},345\n" for range_m in range(40000, 60000, 250)))
+        cls.given.write_text("radar,range_m,az_deg\n# where the aircraft north flies when this is loaded\n" +
+                             "".join(f"*,{slant_range},{azimuth}\n" for slant_range, azimuth in map(north, range(60, 95))))
         cls.scenario = pathlib.Path(__file__).parent.parent / "scenarios" / f"{SCENARIO}.yaml"
         run = subprocess.Popen(["roslaunch", "--no-summary", "tws_launch", "run.launch", f"record:={cls.live}", "rviz:=false", f"scenario:={SCENARIO}",
                                 f"radars:={' '.join(RADARS)}", "rate:=5", "duration:=85"], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
@@ -158,9 +164,11 @@ class ClutterTest(unittest.TestCase):
 
     def test_a_replay_repeats_a_load_without_the_file(self):
         self.assertTrue(self.load_answer.success, self.load_answer.message)
-        self.assertEqual(self.load_answer.count, 80)
+        self.assertEqual(self.load_answer.count, 35)
         loads = [m for m in messages(self.live, "/adit/operator_requests") if m.request == OperatorRequest.LOAD_CLUTTER and m.result == m.OK]
-        self.assertEqual([len(m.clutter) for m in loads], [80])
+        self.assertEqual([len(m.clutter) for m in loads], [35])
+        lives, bare = tracks(self.live), tracks(self.folder / "bare" / "run.bag")
+        self.assertTrue(lives != bare[:len(lives)], "what was loaded changed nothing")
         replay = self.folder / "replay.bag"
         command("roslaunch", "--no-summary", "tws_launch", "replay.launch", f"bag:={self.live}", f"record:={replay}", "rviz:=false", "rate:=5",
                 f"radars:={' '.join(RADARS)}")
