@@ -22,15 +22,25 @@ struct Expected {
   Symmetric2 covariance;
 };
 
-Expected expectedFrom(const tws::Plot& plot, const Track& track, const TrackMotion& motion, std::size_t radar,
-                      const RadarQuality& quality) {
-  Track copy = track;  // if it was met in the sector before, it has been aimed at another beam since
-  motion.predict(copy, radar, plot.time, quality);
-  const Prediction& p = copy.predicted;
+/// Is the track still aimed at the beam that made the plot? Not when it was met in the sector before.
+bool isAimed(const Prediction& p, const tws::Plot& plot, std::size_t radar) {
+  constexpr double kTolerance = 0.3;  // [s]
+  return p.radar == radar && std::abs(p.time - plot.time) < kTolerance;
+}
+
+Expected expectedFrom(const tws::Plot& plot, const Prediction& p, const RadarQuality& quality) {
   const double along = quality.rangeSigma(), across = plot.range * quality.azimuthSigma();
   const bool known = p.innovation.xx > 0.0;  // the α-β filter has no covariance
   return {p.range - plot.range, plot.range * tws::angularDifference(p.azimuth, plot.azimuth),
           known ? p.innovation : Symmetric2{2.0 * along * along, 0.0, 2.0 * across * across}};
+}
+
+Expected expectedFrom(const tws::Plot& plot, const Track& track, const TrackMotion& motion, std::size_t radar,
+                      const RadarQuality& quality) {
+  if (isAimed(track.predicted, plot, radar)) return expectedFrom(plot, track.predicted, quality);
+  Track copy = track;
+  motion.predict(copy, radar, plot.time, quality);
+  return expectedFrom(plot, copy.predicted, quality);
 }
 
 /// Density of a normal distribution at a distance from its middle, up to a constant.

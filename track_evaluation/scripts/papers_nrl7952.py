@@ -5,6 +5,8 @@ import math
 
 import rosbag
 
+import formations
+
 TITLE = "NRL Report 7952 (1976): tracking system for asynchronously scanning radars"
 # Every aircraft counts at every moment, in cover or not, so that scenes with different radars are asked for the same.
 ALL = {"cutoff_m": 3000.0, "from_s": 60.0, "least_detection_probability": 0.0}
@@ -52,7 +54,7 @@ def rows(runs, seeds, Sample, verdict):
     return [*real_time(measured, scene, tracker, ours), *two_radars(measured, verdict, scene, tracker, ours),
             *five_gates(measured, verdict, dense(scene), tracker), *adaptive_filter(measured, verdict, scene, tracker),
             *clutter(measured, scene, tracker, ours), *clutter_that_comes(runs, seeds, Sample, verdict, tracker, ours),
-            *elevation(runs, seeds, Sample, tracker, ours)]
+            *elevation(runs, seeds, Sample, tracker, ours), *bifurcation(runs, seeds, Sample, verdict, ours)]
 
 
 def real_time(measured, scene, tracker, ours):
@@ -259,3 +261,23 @@ def elevation(runs, seeds, Sample, tracker, ours):
                    f"{delay.in_words('s', digits=1)} from designation to the first height, 15 targets at about the same time ({name})",
                    "within four scans" if delay.mean + delay.half_width < 32 else "LATER")]
     return lines
+
+
+def bifurcation(runs, seeds, Sample, verdict, ours):
+    """Aircraft that part, cross and fly together as one echo (scenario formation_split), with and without the scheme."""
+    scene = runs.scenario("formation_split")
+
+    def measured(metric, on):
+        parameters = changed(ours, bifurcation=on)
+        return Sample([runs.fly(scene, parameters, seed, ALL, formations.figures)[metric] for seed in seeds])
+
+    lines = []
+    for metric, what, better, scale, unit, digits in (
+            ("two_tracks_in_three_updates", "have two tracks within three updates", 1, 100, "%", 0),
+            ("updates_to_two_tracks", "updates until there are two tracks", -1, 1, "", 2),
+            ("identities_kept", "of crossing or overtaking pairs keep their tracks", 1, 100, "%", 0),
+            ("redundant_tracks", "tracks too many in a run", -1, 1, "", 2)):
+        on, off = measured(metric, True), measured(metric, False)
+        lines.append(("track bifurcation, in development", "no number",
+                      f"{what}: {on.in_words(unit, scale, digits)} against {off.in_words(unit, scale, digits)} without (default)",
+                      verdict(on - off if better > 0 else off - on)))
