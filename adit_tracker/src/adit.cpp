@@ -52,7 +52,8 @@ Adit::Adit(const AditParams& params, Sink sink)
       motion_(params),
       bifurcation_(params),
       judge_(params),
-      heights_(params.elevation) {
+      heights_(params.elevation),
+      iff_(params.iff) {
   for (const RadarParams& radar : params.radars) radars_.emplace_back(radar, params.learn_noise);
   const std::size_t maps = params.clutter.per_radar ? radars_.size() : 1;
   for (std::size_t i = 0; i < maps; ++i) clutter_.emplace_back(params.clutter, params.conversion);
@@ -145,6 +146,7 @@ void Adit::begin(const Executive::Turn& turn) {
   report_.running = turn.running;
   report_.enter_time = radarOf(turn).antenna.timeAt(Antenna::startOf(turn.running));
   report_.skipped = false;
+  iff_.apply(report_.enter_time, tracks_, motion_);
   report_.words = by_hand_;
   dropped_.clear();
   for (const TrackWord& word : by_hand_) {

@@ -11,6 +11,7 @@
 #include "correlator.h"
 #include "executive.h"
 #include "height_file.h"
+#include "iff_watch.h"
 #include "radar_state.h"
 #include "track_file.h"
 #include "track_life.h"
@@ -61,6 +62,12 @@ class Adit {
   /// Where a radar stands, before its first sector; else with the first radar. The same again changes nothing. Throws
   /// std::invalid_argument when it stands elsewhere and the parameters cannot join it (see joinsSites).
   void place(std::size_t radar, const SiteFrame& frame);
+
+  /// What a secondary radar (index in params.iff) has received in one sector. It may come before or after the radars'
+  /// data of that time, within about a second; later it is left out, and false.
+  bool hearIff(std::size_t iff, tws::RadarSector sector, const SiteFrame& site) {
+    return iff_.add(iff, std::move(sector), site);
+  }
 
   /// Takes in a closed sector of a radar (index in params.radars) and processes what has become ready. Within a radar,
   /// sectors come in order: one that does not is refused by std::invalid_argument. Plots that are not finite or whose
@@ -189,6 +196,7 @@ class Adit {
   Bifurcation bifurcation_;
   TrackJudge judge_;
   HeightFile heights_;
+  IffWatch iff_;
   AditCounts counts_;
   std::uint64_t taken_ = 0;  // sectors
 

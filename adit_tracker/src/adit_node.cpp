@@ -16,6 +16,7 @@
 #include "adit_params_reader.h"
 #include "clutter_port.h"
 #include "elevation_port.h"
+#include "iff_port.h"
 #include "operator_port.h"
 #include "radar_sites.h"
 #include "status_report.h"
@@ -90,6 +91,7 @@ class AditNode::Impl {
         operators_(bus, params_.frame, params_.point_topic, operatorHost()),
         clutter_port_(bus, operators_, params_.adit, params_.clutter_map,
                       [this] { return adit_ && adit_->counts().sectors > 0 ? &*adit_ : nullptr; }),
+        iff_(bus, params_.frame, params_.adit.iff),
         sites_(bus, params_.frame, namesOf(params_.adit), joinsSites(params_.adit),
                [this](std::size_t radar) -> const std::string& { return inputs_.frame(radar); }),
         inputs_(
@@ -97,6 +99,7 @@ class AditNode::Impl {
             [this](std::size_t radar, tws::RadarSector sector) { onSector(radar, std::move(sector)); },
             [this](double) {
               operators_.beginNewRun();
+              iff_.beginNewRun();
               begin();
             }) {
     begin();
@@ -154,6 +157,7 @@ class AditNode::Impl {
 
   bool workOne() {
     operators_.beforeSector(*adit_);
+    iff_.handOver(*adit_, sites_);
     if (!adit_->step()) return false;
     afterSector();
     return true;
@@ -271,6 +275,7 @@ class AditNode::Impl {
   OperatorPort operators_;
   ClutterPort clutter_port_;
   std::deque<std::pair<std::size_t, tws::RadarSector>> waiting_;
+  IffPort iff_;
   RadarSites sites_;
   std::uint32_t sequence_ = 0;
   AditCounts totals_;

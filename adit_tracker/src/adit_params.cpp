@@ -37,6 +37,18 @@ void checkRadars(const AditParams& params) {
     throw std::invalid_argument("elevation.radar: there is no radar named " + params.elevation.radar);
 }
 
+void checkIff(const AditParams& params) {
+  require(params.iff.size() <= kMaxRadars, "number of secondary radars (iff)", static_cast<double>(params.iff.size()),
+          "[0, 8]");
+  std::set<std::string> names;
+  for (const IffParams& iff : params.iff) {
+    if (iff.name.empty()) throw std::invalid_argument("iff: a secondary radar has no name");
+    if (!names.insert(iff.name).second) throw std::invalid_argument("iff: two secondary radars are named " + iff.name);
+    require(iff.range_sigma > 0.0, "range_sigma of " + iff.name, iff.range_sigma, "(0, inf) m");
+    require(iff.azimuth_sigma > 0.0, "azimuth_sigma of " + iff.name, iff.azimuth_sigma, "(0, inf) rad");
+  }
+}
+
 void checkGates(const AditParams& params) {
   for (std::size_t g = 0; g < kGates; ++g) {
     const std::string name = "gate " + std::to_string(g + 1);
@@ -127,6 +139,7 @@ std::size_t radarIndex(const AditParams& params, const std::string& name) {
 
 void check(const AditParams& params) {
   checkRadars(params);
+  checkIff(params);
   checkGates(params);
   tws::check(params.alpha_beta);
   require(params.capacity >= 2 && params.capacity <= 1000001, "capacity", params.capacity, "[2, 1000001]");

@@ -23,6 +23,15 @@ struct RadarParams {
   double azimuth_sigma = 0.3 * tws::kPi / 180.0;  // The same of its azimuths [rad].
 };
 
+/// A secondary radar that tells which tracks answer (IFF).
+struct IffParams {
+  std::string name;
+  // Of its plots against the tracks of a radar, which looks at the skin: standard deviations [m], [rad].
+  double range_sigma = 150.0;
+  double azimuth_sigma = 0.3 * tws::kPi / 180.0;
+  double range_bias = 0.0, azimuth_bias = 0.0;  // Measured less true [m], [rad].
+};
+
 constexpr std::size_t kGates = 5;
 
 /// The report's timers decide over the life of a track, or the chance that it follows a target.
@@ -102,6 +111,7 @@ struct OperatorParams {
 /// All that the tracker's behaviour depends on. The member initialisers are the set `default`.
 struct AditParams {
   std::vector<RadarParams> radars;
+  std::vector<IffParams> iff;
   std::string reference_radar;      // Whose scans count in conversions (the report's SPS-39). Empty: the last one.
   std::uint32_t capacity = 100000;  // Track numbers; one of them always stays unused.
   double skew_limit = 1.0;          // How late a radar's data may be before it counts as silent [s].

@@ -40,6 +40,22 @@ void readRadars(ParameterReader& reader, std::vector<RadarParams>& radars) {
   }
 }
 
+void readIff(ParameterReader& reader, std::vector<IffParams>& all) {
+  std::vector<ParameterReader> entries = reader.list("iff");
+  if (!reader.has("iff")) return;
+  all.clear();
+  for (ParameterReader& entry : entries) {
+    IffParams& iff = all.emplace_back();
+    entry.require("name");
+    entry.text("name", iff.name);
+    entry.number("range_sigma_m", iff.range_sigma, 0.1, 1e5);
+    scaledNumber(entry, "azimuth_sigma_deg", iff.azimuth_sigma, tws::kRadiansPerDegree, 1e-4, 20.0);
+    entry.number("range_bias_m", iff.range_bias, -1e4, 1e4);
+    scaledNumber(entry, "azimuth_bias_deg", iff.azimuth_bias, tws::kRadiansPerDegree, -20.0, 20.0);
+    entry.done();
+  }
+}
+
 /// Five values, one a gate.
 void readGates(ParameterReader reader, std::array<Gate, kGates>& gates) {
   const auto read = [&](const std::string& key, double Gate::*member, double greatest, double unit) {
@@ -172,6 +188,7 @@ AditParams readAditParams(ParameterReader& reader, const std::string& default_se
   reader.choice("set", set, {"default", "nrl7952"});
   AditParams p = AditParams::named(set);
   readRadars(reader, p.radars);
+  readIff(reader, p.iff);
   reader.text("reference_radar", p.reference_radar);
   reader.integer("capacity", p.capacity, 2, 1000001);
   reader.number("skew_limit_s", p.skew_limit, 0.0, 60.0);

@@ -32,13 +32,14 @@ class RadarSites {
   bool usable(std::size_t radar) const { return usable_[radar]; }
   /// Where it stands on the plane of the origin. Once find() has said true.
   const SiteFrame& frame(std::size_t radar) const { return *frames_[radar]; }
+  /// Any place as it lies on that plane. Once find() has said true.
+  SiteFrame onPlane(const tws_runtime::Site& site) const;
   /// The first radar's site; of the first one that is heard, when the first radar has none. Once find() has said true.
   const tws_runtime::Site& origin() const { return *origin_; }
 
  private:
   std::optional<tws_runtime::Site> siteOf(std::size_t radar, std::string& why) const;
   bool findOrigin(std::size_t radar, bool patient);
-  SiteFrame onPlane(const tws_runtime::Site& site) const;
 
   tws_runtime::Bus& bus_;
   std::string frame_;

@@ -68,6 +68,7 @@ tws_msgs::Track trackMessage(const Adit& adit, const TrackWord& word, const Site
   if (track.height_guess.known()) message.position.z = site.z + track.height_guess.height();
   if (now.has_covariance) setCovariance(message, now.planar, site);
   message.detection_bits = track.detected_by;
+  if (track.answers_iff != 0) message.detection_bits |= tws_msgs::Track::DETECTED_BY_IFF;
   if (track.handed_off) message.detection_bits |= tws_msgs::Track::HANDED_OFF;
   if (track.designated) message.detection_bits |= tws_msgs::Track::ELEVATION_REQUESTED;
   for (std::size_t radar = 0; radar < adit.params().radars.size(); ++radar) {

@@ -203,6 +203,25 @@ Seen TrackMotion::seenBy(const Track& track, std::size_t radar, double time) con
           (view.north * k.vx - view.east * k.vy) / (view.distance * view.distance)};
 }
 
+double TrackMotion::squaredDistance(const Track& track, const tws::Plot& plot, double range_sigma, double azimuth_sigma,
+                                    const SiteFrame& site) const {
+  const double dt = plot.time - track.smoothed.time;
+  // Of one site, heights are alike; and h² of 0 lays slant range on the plane.
+  const HeightGuess& guess = track.height_guess;
+  const PlanarPosition z = guess.against(guess.placeOf(plot, range_sigma, azimuth_sigma, site));
+  PlanarPosition there;
+  if (const auto* turning = std::get_if<TurningFilter>(&track.filter)) {
+    there = turning->predictPosition(dt, params_.turning);
+  } else {
+    // Without a covariance the track counts as good as the plot itself.
+    const Kinematics k = at(track, plot.time).kinematics;
+    there = {k.x, k.y, z.covariance};
+  }
+  const Symmetric2 S{there.covariance.xx + z.covariance.xx, there.covariance.xy + z.covariance.xy,
+                     there.covariance.yy + z.covariance.yy};
+  return S.mahalanobis(z.x - there.x, z.y - there.y);
+}
+
 Extrapolation TrackMotion::at(const Track& track, double time) const {
   const double dt = time - track.smoothed.time;
   if (const auto* polar = std::get_if<PolarFilter>(&track.filter)) {

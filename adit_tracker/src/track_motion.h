@@ -57,6 +57,10 @@ class TrackMotion {
   /// Slant range and azimuth of the track's latest state as the radar sees it.
   Seen seenBy(const Track& track, std::size_t radar, double time) const;
 
+  /// Of a plot of another sensor from the track at the plot's time: in standard deviations of both, squared.
+  double squaredDistance(const Track& track, const tws::Plot& plot, double range_sigma, double azimuth_sigma,
+                         const SiteFrame& site) const;
+
   /// Sets track.predicted for an illumination by a radar.
   void predict(Track& track, std::size_t radar, double time, const RadarQuality& quality) const;
 

@@ -111,6 +111,14 @@ class WholeGraphTest(unittest.TestCase):
         self.assertEqual([m.sequence for m in messages], list(range(len(messages))))
         self.assertTrue(any(track.state == track.FIRM for m in messages for track in m.tracks))
 
+    def test_the_tracks_say_who_answers_the_secondary_radar(self):
+        """95 of 100 aircraft of the scenario do, boats do not."""
+        with rosbag.Bag(str(self.live)) as bag:
+            messages = [message for _, message, _ in bag.read_messages(["/adit/tracks"])]
+        late_words = [t for m in messages[2 * len(messages) // 3:] for t in m.tracks if t.state == t.FIRM]
+        answering = sum(t.detection_bits & t.DETECTED_BY_IFF != 0 for t in late_words) / len(late_words)
+        self.assertTrue(0.7 < answering < 1.0, answering)
+
     def test_position_and_codes_come_together_over_the_whole_chain(self):
         """SSR and SPS-12, secondary tracker and ADIT, correlator: each aircraft under one identity, with the code that it replies."""
         live = launch("run.launch", self.folder / "chain.bag", scenario=SCENARIO, rate=10, duration=60)  # Pairs need some turns.
