@@ -54,7 +54,8 @@ def rows(runs, seeds, Sample, verdict):
     return [*real_time(measured, scene, tracker, ours), *two_radars(measured, verdict, scene, tracker, ours),
             *five_gates(measured, verdict, dense(scene), tracker), *adaptive_filter(measured, verdict, scene, tracker),
             *clutter(measured, scene, tracker, ours), *clutter_that_comes(runs, seeds, Sample, verdict, tracker, ours),
-            *elevation(runs, seeds, Sample, tracker, ours), *bifurcation(runs, seeds, Sample, verdict, ours)]
+            *elevation(runs, seeds, Sample, tracker, ours), *bifurcation(runs, seeds, Sample, verdict, ours),
+            *more_radars(runs, seeds, Sample, verdict, ours)]
 
 
 def real_time(measured, scene, tracker, ours):
@@ -281,4 +282,27 @@ def bifurcation(runs, seeds, Sample, verdict, ours):
         lines.append(("track bifurcation, in development", "no number",
                       f"{what}: {on.in_words(unit, scale, digits)} against {off.in_words(unit, scale, digits)} without (default)",
                       verdict(on - off if better > 0 else off - on)))
+
+
+def more_radars(runs, seeds, Sample, verdict, ours):
+    """The SPS-10, for which the report made provisions; and radars that do not stand "in close proximity"."""
+    def measured(metric, scene):
+        return Sample([runs.fly(changed(scene, duration_s=DURATION), ours, seed, ALL)[metric] for seed in seeds])
+
+    three = runs.scenario("three_radars")
+    three["random_aircraft"] = three["random_aircraft"][:1]  # the fighters near the site
+    two = changed(three, radars=three["radars"][:2])
+    held = [measured("completeness", scene) for scene in (three, two)]
+    error = [measured("rms_pos_m", scene) for scene in (three, two)]
+    lines = [("the SPS-10 as a third radar", "no number", f"{held[0].in_words('%', 100, 1)} of fighters near the site tracked, with two radars "
+              f"{held[1].in_words('%', 100, 1)} (default)", verdict(held[0] - held[1])),
+             ("the SPS-10 as a third radar", "no number", f"position error {error[0].in_words('m', digits=0)}, with two radars "
+              f"{error[1].in_words('m', digits=0)} (default)", verdict(error[1] - error[0]))]
+    scene = runs.scenario("two_sites")
+    both, double = measured("completeness", scene), measured("ambiguity", scene)
+    for radar in scene["radars"]:
+        alone = measured("completeness", changed(scene, radars=[radar]))
+        lines.append((f"radars 40 km apart against {radar['type']} alone", "one site only",
+                      f"{both.in_words('%', 100, 1)} of aircraft tracked against {alone.in_words('%', 100, 1)}; {double.in_words(digits=3)} tracks "
+                      "for each that has one (default)", verdict(both - alone)))
     return lines
