@@ -10,7 +10,7 @@ namespace adit_tracker {
 namespace {
 
 // More than a turn of each of eight radars: their site is known by then, or never.
-constexpr std::size_t kMostWaiting = 8 * tws::kSectors;
+constexpr std::size_t kMostWaiting = std::size_t{8} * tws::kSectors;
 
 bool isGood(const tws_msgs::SsrPlot& plot) {
   return plot.range > 0.0 && plot.range <= 1e7 && plot.azimuth >= 0.0 && plot.azimuth < tws::kTwoPi;
@@ -55,12 +55,10 @@ void IffPort::handOver(Adit& adit, const RadarSites& sites) {
     }
     const std::string& name = params_[heard.iff].name;
     if (!site) bus_.counter("unknown sites").add("no transform from " + name + " to " + frame_ + ": " + why);
-    const double stamp = heard.sector.leave_time;
+    const std::string late = "up to " + std::to_string(heard.sector.leave_time) + " s, of " + name;
     const std::size_t plots = heard.sector.plots.size();
-    if (!adit.hearIff(heard.iff, std::move(heard.sector), site ? sites.onPlane(*site) : SiteFrame{}))
-      for (std::size_t i = 0; i < plots; ++i)
-        bus_.counter("late IFF plots")
-            .add(name + ": what it received up to " + std::to_string(stamp) + " came too late");
+    if (adit.hearIff(heard.iff, std::move(heard.sector), site ? sites.onPlane(*site) : SiteFrame{})) continue;
+    for (std::size_t i = 0; i < plots; ++i) bus_.counter("late IFF plots").add(late);
   }
   waiting_ = std::move(still);
 }

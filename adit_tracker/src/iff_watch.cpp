@@ -27,7 +27,7 @@ void listAround(const TrackFile& tracks, double x, double y, std::vector<TrackFi
   constexpr double kAside = 5e3;  // how far from its sector's middle line a track may be [m]
   const int middle = tws::sectorOf(tws::wrapTwoPi(std::atan2(x, y)));
   const double width = kAside / std::max(std::hypot(x, y), 1.0) / tws::kSectorWidth;
-  const int reach = static_cast<int>(std::min(2.0 + width, tws::kSectors / 2 - 1.0));
+  const int reach = static_cast<int>(std::min(2.0 + width, 0.5 * tws::kSectors - 1.0));
   slots.clear();
   for (int s = middle - reach; s <= middle + reach; ++s) tracks.list(tws::wrapSector(s), slots);
 }
