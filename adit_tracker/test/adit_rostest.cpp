@@ -10,29 +10,19 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <functional>
 #include <limits>
 #include <map>
 #include <set>
 #include <string>
 #include <vector>
 
-#include "connection.h"
+#include "rostest_helpers.h"
 
 namespace {
 
 constexpr double kTwoPi = 6.283185307179586;
 constexpr double kStart = 1000.0;
 constexpr std::uint32_t kUnbounded = 0;  // queue
-
-bool waitFor(const std::function<bool()>& condition) {
-  const ros::WallTime end = ros::WallTime::now() + ros::WallDuration(60.0);
-  while (!condition() && ros::WallTime::now() < end) {
-    ros::spinOnce();
-    ros::WallDuration(0.001).sleep();
-  }
-  return condition();
-}
 
 geometry_msgs::TransformStamped siteOf(const std::string& radar) {
   geometry_msgs::TransformStamped site;

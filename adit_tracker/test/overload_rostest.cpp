@@ -11,7 +11,6 @@
 #include <tws_msgs/Tracks.h>
 
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <map>
 #include <random>
@@ -19,7 +18,7 @@
 #include <string>
 #include <vector>
 
-#include "connection.h"
+#include "rostest_helpers.h"
 
 namespace {
 
@@ -28,15 +27,6 @@ constexpr double kStart = 1000.0;
 constexpr double kPeriod = 6.0;
 constexpr std::uint32_t kSectors = 64;
 constexpr std::uint32_t kUnbounded = 0;  // queue
-
-bool waitFor(const std::function<bool()>& condition) {
-  const ros::WallTime end = ros::WallTime::now() + ros::WallDuration(60.0);
-  while (!condition() && ros::WallTime::now() < end) {
-    ros::spinOnce();
-    ros::WallDuration(0.001).sleep();
-  }
-  return condition();
-}
 
 double timeOf(std::uint32_t sector) { return kStart + kPeriod / kSectors * sector; }
 
