@@ -282,6 +282,7 @@ def bifurcation(runs, seeds, Sample, verdict, ours):
         lines.append(("track bifurcation, in development", "no number",
                       f"{what}: {on.in_words(unit, scale, digits)} against {off.in_words(unit, scale, digits)} without (default)",
                       verdict(on - off if better > 0 else off - on)))
+    return lines
 
 
 def more_radars(runs, seeds, Sample, verdict, ours):
