@@ -13,8 +13,6 @@ namespace {
 
 constexpr std::int64_t kInitiationBehind = 1;  // sectors that initiation runs behind them
 constexpr int kSecondarySectors = 2;           // sectors ahead whose tracks take part in the correlation
-// Plots beyond are mistakes: no radar sees further, and their squares must stay finite.
-constexpr double kGreatestRange = 1e7;  // [m]
 
 bool isCopy(const tws::Plot& a, const tws::Plot& b) {
   return a.time == b.time && a.range == b.range && a.azimuth == b.azimuth;
@@ -88,7 +86,7 @@ void Adit::sift(std::size_t radar, tws::RadarSector& sector) {
     sector.plots.erase(end, sector.plots.end());
   };
   sift_out(&AditCounts::rejected_plots, [](const tws::Plot& p) {
-    return !(std::isfinite(p.time) && std::isfinite(p.azimuth) && p.range > 0.0 && p.range <= kGreatestRange);
+    return !(std::isfinite(p.time) && std::isfinite(p.azimuth) && p.range > 0.0 && p.range <= kFarthest);
   });
   sift_out(&AditCounts::late_plots, [&](const tws::Plot& p) { return p.time < earliest; });
   sift_out(&AditCounts::duplicate_plots,
@@ -251,15 +249,17 @@ void Adit::update(const Executive::Turn& turn, TrackFile::Slot slot, Detection& 
   Track& track = tracks_.at(slot);
   RadarQuality& quality = radarOf(turn).quality;
   const tws::Plot& plot = detection.plot;
-  if (tellsErrors(track, plot) && bifurcation_.asSeenBy(track, detection) == nullptr) {
+  const tws::Plot* const merged = bifurcation_.asSeenBy(track, detection);
+  if (merged == nullptr && tellsErrors(track, plot)) {
     const Prediction& p = track.predicted;
     quality.learnErrors((plot.range - p.range) / std::sqrt(p.innovation.xx),
                         p.range * tws::angularDifference(plot.azimuth, p.azimuth) / std::sqrt(p.innovation.yy));
   }
-  const tws::Plot* const merged = bifurcation_.asSeenBy(track, detection);
   const double log_likelihood = motion_.update(track, merged ? *merged : plot, quality, turn.radar);
-  if (merged == nullptr) track.apart = plot.time;
-  heights_.update(track.uid, plot);
+  if (merged == nullptr) {
+    track.apart = plot.time;
+    heights_.update(track.uid, plot);
+  }
   track.coasting = false;
   track.updated[turn.radar] = plot.time;
   track.illuminated[turn.radar] = Antenna::near(plot.azimuth, turn.running);
@@ -278,15 +278,16 @@ void Adit::hide(const Executive::Turn& turn, TrackFile::Slot slot, const Detecti
   Track& track = tracks_.at(slot);
   if (bifurcation_.hasMerged(track, detection)) return drop(slot, detection.plot.time);
   const std::int32_t updates = track.updates;
-  if (updates > kSettledUpdates)
+  if (updates > kSettledUpdates) {
     motion_.update(track, *bifurcation_.asSeenBy(track, detection), radarOf(turn).quality, turn.radar);
+    track.updated[turn.radar] = detection.plot.time;
+  }
   track.updates = updates;  // no evidence
   judge_.hidden(track, detection.plot.time);
   track.coasting = false;
-  track.updated[turn.radar] = detection.plot.time;
   track.illuminated[turn.radar] = Antenna::near(detection.plot.azimuth, turn.running);
   track.detected_by = static_cast<std::uint16_t>(track.detected_by | 1U << turn.radar);
-  report_.words.push_back({slot, TrackEvent::kUpdated, track.smoothed.time});
+  report_.words.push_back({slot, TrackEvent::kUpdated, std::max(track.smoothed.time, detection.plot.time)});
   predictNext(track, radarOf(turn).site);
 }
 
@@ -321,14 +322,21 @@ void Adit::convertSlowTracks(const Executive::Turn& turn) {
     const bool gone = std::find(dropped_.begin(), dropped_.end(), slot) != dropped_.end();
     if (gone || !hasBecomeSlow(track, *judge_after)) continue;
     const Kinematics& k = track.smoothed;
-    const Seen seen = motion_.seenBy(track, turn.radar, k.time);
-    if (!clutterOf(turn.radar).adopt(seen.range, seen.azimuth, k.time, turn.radar)) {
+    const std::size_t radar = motion_.joined() ? latestOf(track) : turn.radar;
+    const Seen seen = motion_.seenBy(track, radar, k.time);
+    if (!clutterOf(radar).adopt(seen.range, seen.azimuth, k.time, radar)) {
       ++counts_.refused_clutter;
       continue;
     }
     ++counts_.to_clutter;
     drop(slot, k.time);
   }
+}
+
+/// The radar that updated a track last: at another site, it may be the only one that sees it.
+std::size_t Adit::latestOf(const Track& track) const {
+  const auto end = track.updated.begin() + static_cast<std::ptrdiff_t>(radars_.size());
+  return static_cast<std::size_t>(std::max_element(track.updated.begin(), end) - track.updated.begin());
 }
 
 /// Compares the place with the one stored eight scans ago, and stores the present one.

@@ -161,6 +161,7 @@ class Adit {
   /// As far as no beam has met it yet.
   std::optional<TrackFile::Slot> newTrack(std::size_t radar, const tws::Plot& plot);
   void convertSlowTracks(const Executive::Turn& turn);
+  std::size_t latestOf(const Track& track) const;
   bool hasBecomeSlow(Track& track, double judge_after) const;
   void moveOn(TrackFile::Slot slot, std::size_t radar);
   void drop(TrackFile::Slot slot, double time);

@@ -109,7 +109,7 @@ void Adit::joinSite(std::size_t radar) {
   state.site = static_cast<std::size_t>(known - sites_.begin());
   if (is_new) sites_.push_back(state.frame);
   std::vector<SiteFrame> frames;
-  for (const RadarState& each : radars_) frames.push_back(each.frame);
+  for (const RadarState& each : radars_) frames.push_back(each.joined ? each.frame : SiteFrame{});
   motion_.join(frames);
   if (!is_new) return;
   tracks_.addSite();

@@ -60,7 +60,9 @@ std::size_t Adit::loadClutterInto(std::size_t map, std::vector<ClutterPlace>& aw
   std::vector<std::string> groups = {""};
   for (const RadarParams& radar : params_.radars) groups.push_back(radar.name);
   std::size_t refused = 0;
+  const bool elsewhere = !sameSite(radars_[map].frame, sites_.front());  // and sees no place of all radars there
   for (const std::string& group : groups) {
+    if (elsewhere && group.empty()) continue;
     std::vector<ClutterPlace> own;
     std::copy_if(places.begin(), places.end(), std::back_inserter(own),
                  [&](const auto& p) { return p.radar == group; });

@@ -140,6 +140,9 @@ struct AditParams {
   static AditParams named(const std::string& name);
 };
 
+/// No radar sees further [m]: plots and places beyond are mistakes, and their squares must stay finite.
+constexpr double kFarthest = 1e7;
+
 /// Can radars at different sites be joined? That needs the turning filter, which is on the plane, and a clutter map for
 /// each radar.
 bool joinsSites(const AditParams& params);

@@ -19,6 +19,7 @@ std::optional<TrackFile::Slot> Adit::newTrack(std::size_t radar, const tws::Plot
   motion_.start(track, plot, radars_[radar].quality, radar);
   judge_.started(track, radars_[radar].quality);
   heights_.update(track.uid, plot);
+  track.apart = plot.time;
   if (sites_.size() > 1) doubtOtherSites(track, radar);
   const bool elsewhere = motion_.joined();
   if (params_.conversion.from_start) {
@@ -33,7 +34,7 @@ Track* Adit::startTrack(std::size_t radar, const tws::Plot& plot) {
   const auto slot = newTrack(radar, plot);
   if (!slot) return nullptr;
   Track& track = tracks_.at(*slot);
-  track.updated[radar] = track.apart = plot.time;
+  track.updated[radar] = plot.time;
   // Met in a sector that is behind the front or at most a few ahead of it.
   track.illuminated[radar] = Antenna::near(plot.azimuth, executive_.front(radar));
   track.detected_by = static_cast<std::uint16_t>(1U << radar);
@@ -48,7 +49,7 @@ void Adit::startTrackOrBranch(const Executive::Turn& turn, const Detection& dete
   Track* const track = startTrack(turn.radar, detection.plot);
   if (track == nullptr || !parting) return;
   const Track& parent = tracks_.at(parting->parent);
-  motion_.branch(*track, parent, *parting);
+  motion_.branch(*track, parent, *parting, turn.radar);
   track->parent = parent.uid;
   track->existence = track->first_existence = static_cast<float>(parting->chance);
   predictNext(*track, radar.site);

@@ -209,6 +209,17 @@ TEST(TrackBifurcation, BothTracksLiveOnWhereOneAircraftOvertakesTheOtherForAsLon
   EXPECT_LT(overtakingsKept(params, 40), kept);
 }
 
+// The echoes come and go while the aircraft part slowly. If this fails, a track that shares an echo is told as of its
+// detection before, and what hears it takes old places for new ones.
+TEST(TrackBifurcation, AWordIsAboutTheTimeAtWhichTheBeamMetTheTrack) {
+  for (int i = 0; i < 20; ++i) {
+    const Flight flight(parting(170.0, 50.0), 170.0, 500 + i);
+    for (const Word& w : track(flight.seen, true).words) {
+      EXPECT_NEAR(w.kinematics.time, w.sector_time, 1.0) << "flight " << i << ", track " << w.uid;
+    }
+  }
+}
+
 /// One aircraft, and so often a false plot within a few hundred metres to a few kilometres of its own.
 int secondTracks(double share, bool bifurcation, int flights, int first = 900) {
   int second = 0;

@@ -9,8 +9,6 @@
 namespace adit_tracker {
 namespace {
 
-constexpr double kGreatestRange = 1e7;  // [m]
-
 std::string unfit(const char* what, double value) {
   char text[80];
   std::snprintf(text, sizeof text, "%s: %.10g", what, value);
@@ -18,7 +16,7 @@ std::string unfit(const char* what, double value) {
 }
 
 std::string problemOf(const ClutterPlace& place) {
-  if (!(place.range > 0.0 && place.range <= kGreatestRange)) return unfit("range_m is not in (0, 1e7]", place.range);
+  if (!(place.range > 0.0 && place.range <= kFarthest)) return unfit("range_m is not in (0, 1e7]", place.range);
   if (!(place.azimuth >= 0.0 && place.azimuth < tws::kTwoPi))
     return unfit("az_deg is not in [0, 360)", tws::degrees(place.azimuth));
   return "";

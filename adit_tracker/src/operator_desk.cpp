@@ -85,9 +85,8 @@ std::optional<Slot> targetAt(const Adit& adit, double x, double y) {
 }
 
 OperatorAnswer initiate(Adit& adit, const OperatorRequest& request) {
-  constexpr double kGreatestRange = 1e7;  // [m]
   const double range = std::hypot(request.x, request.y);
-  if (!(range > 0.0 && range <= kGreatestRange)) return refused("the point must lie within 10 000 km of the radars");
+  if (!(range > 0.0 && range <= kFarthest)) return refused("the point must lie within 10 000 km of the radars");
   if (const auto there = targetAt(adit, request.x, request.y))
     return refused("track " + std::to_string(adit.tracks().at(*there).number) + " is there already");
   const auto slot = adit.startByHand(range, std::atan2(request.x, request.y), adit.params().operators.point_sigma);

@@ -123,7 +123,7 @@ void TrackMotion::start(Track& track, const tws::Plot& plot, const RadarQuality&
   track.fixed = {z.x, z.y, z.covariance, 0.0};
 }
 
-void TrackMotion::branch(Track& track, const Track& parent, const Parting& parting) const {
+void TrackMotion::branch(Track& track, const Track& parent, const Parting& parting, std::size_t radar) const {
   const Kinematics its = at(parent, track.smoothed.time).kinematics;
   Kinematics& own = track.smoothed;
   if (auto* polar = std::get_if<PolarFilter>(&track.filter)) {
@@ -132,7 +132,12 @@ void TrackMotion::branch(Track& track, const Track& parent, const Parting& parti
     own = fromPolar(own.range, own.azimuth, polar->range.velocity, polar->azimuth.velocity, own.time);
     return;
   }
-  const double s = std::sin(parting.azimuth), c = std::cos(parting.azimuth);
+  if (joined_) {  // it flies as high
+    shift(track, track.height_guess.moveTo(parent.height_guess.squared));
+    track.height_guess.variance = parent.height_guess.variance;
+  }
+  const double azimuth = joined_ ? frames_[radar].onPlane(parting.azimuth) : parting.azimuth;
+  const double s = std::sin(azimuth), c = std::cos(azimuth);
   const double along = parting.sigma_along * parting.sigma_along, across = parting.sigma_across * parting.sigma_across;
   TurningFilter& filter = std::get<TurningFilter>(track.filter);
   filter.setVelocity(its.vx + parting.rate_along * s + parting.rate_across * c,

@@ -49,7 +49,7 @@ class TrackMotion {
   double update(Track& track, const tws::Plot& plot, const RadarQuality& quality, std::size_t radar = 0) const;
 
   /// Gives a track that has just started the velocity of another one and what they differ by.
-  void branch(Track& track, const Track& parent, const Parting& parting) const;
+  void branch(Track& track, const Track& parent, const Parting& parting, std::size_t radar) const;
 
   /// Where the track is at `time`, which may be before the latest update by a little.
   Extrapolation at(const Track& track, double time) const;
