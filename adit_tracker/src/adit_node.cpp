@@ -91,15 +91,15 @@ class AditNode::Impl {
         operators_(bus, params_.frame, params_.point_topic, operatorHost()),
         clutter_port_(bus, operators_, params_.adit, params_.clutter_map,
                       [this] { return adit_ && adit_->counts().sectors > 0 ? &*adit_ : nullptr; }),
-        iff_(bus, params_.frame, params_.adit.iff),
+        iff_(bus, params_.frame, params_.adit.iff, params_.inputs.restart_limit),
         sites_(bus, params_.frame, namesOf(params_.adit), joinsSites(params_.adit),
                [this](std::size_t radar) -> const std::string& { return inputs_.frame(radar); }),
         inputs_(
             bus, topicsOf(params_.adit), params_.inputs,
             [this](std::size_t radar, tws::RadarSector sector) { onSector(radar, std::move(sector)); },
-            [this](double) {
+            [this](double time) {
               operators_.beginNewRun();
-              iff_.beginNewRun();
+              iff_.beginNewRun(time);
               begin();
             }) {
     begin();
@@ -125,6 +125,7 @@ class AditNode::Impl {
   /// depend on when a transform arrives, nor on which radar is heard first.
   void onSector(std::size_t radar, tws::RadarSector sector) {
     heard_[radar] = sector.leave_time;
+    iff_.radarsAt(sector.leave_time);
     waiting_.emplace_back(radar, std::move(sector));
     const bool patient = waiting_.size() <= kMostWaiting;
     for (const auto& [waiting, unused] : waiting_) {

@@ -149,6 +149,20 @@ TEST_F(ClutterPortTest, ANewRunBeginsWithTheMapAgain) {
   EXPECT_EQ(node.told[1].clutter.size(), 1U);
 }
 
+// Nothing of the first run has been processed: it takes five sectors of both radars.
+TEST_F(ClutterPortTest, ARunThatBeginsAgainBeforeItsFirstSectorHasTheMapToo) {
+  write("*,30000,300\n");
+  const RadarSectors radars = scene(41.0);
+  NodeGraph node(with_file_);
+  node.play(radars, 40.0, 40.3);
+  ASSERT_TRUE(node.tracks.empty());
+  node.play(radars, 0.0, 30.0);
+  ASSERT_EQ(node.told.size(), 1U);
+  EXPECT_EQ(node.told[0].run, 1U);
+  EXPECT_EQ(node.told[0].count, 1U);
+  EXPECT_EQ(node.told[0].result, Request::OK);
+}
+
 // If this fails, an operator whose file was not loaded does not know it, or a bag does not.
 TEST_F(ClutterPortTest, AMapThatCannotBeLoadedOrSavedIsRefusedInWordsAndTheRefusalRepeated) {
   const RadarSectors radars = scene(60.0);

@@ -9,58 +9,106 @@
 namespace adit_tracker {
 namespace {
 
-// More than a turn of each of eight radars: their site is known by then, or never.
-constexpr std::size_t kMostWaiting = std::size_t{8} * tws::kSectors;
-
-bool isGood(const tws_msgs::SsrPlot& plot) {
-  return plot.range > 0.0 && plot.range <= 1e7 && plot.azimuth >= 0.0 && plot.azimuth < tws::kTwoPi;
+std::string faultOf(const tws_msgs::SsrPlot& plot, double leave_time) {
+  const double time = tws_runtime::toSeconds(plot.stamp);
+  if (!(plot.range > 0.0 && plot.range <= 1e7)) return "range is " + std::to_string(plot.range);
+  if (!(plot.azimuth >= 0.0 && plot.azimuth < tws::kTwoPi)) return "azimuth is " + std::to_string(plot.azimuth);
+  // A sector lasts two seconds at most.
+  if (!(std::abs(time - leave_time) <= 2.0)) return "stamp is " + std::to_string(time) + ", outside of its sector";
+  return "";
 }
 
 }  // namespace
 
-IffPort::IffPort(tws_runtime::Bus& bus, const std::string& frame, const std::vector<IffParams>& params)
-    : bus_(bus), frame_(frame), params_(params) {
-  for (std::size_t i = 0; i < params_.size(); ++i)
-    bus.subscribe<tws_msgs::SsrPlots>("/" + params_[i].name + "/plots", [this, i](const auto& m) { hear(i, m); });
+IffPort::IffPort(tws_runtime::Bus& bus, const std::string& frame, const std::vector<IffParams>& params,
+                 double restart_limit)
+    : bus_(bus), frame_(frame), restart_limit_(restart_limit), interrogators_(params.size()) {
+  for (std::size_t i = 0; i < params.size(); ++i) {
+    interrogators_[i].name = params[i].name;
+    bus.subscribe<tws_msgs::SsrPlots>("/" + params[i].name + "/plots",
+                                      [this, i](const auto& m) { hear(interrogators_[i], m); });
+  }
 }
 
-void IffPort::hear(std::size_t iff, const tws_msgs::SsrPlots& message) {
-  Waiting heard{iff, message.header.frame_id, {}};
-  heard.sector.sector = message.sector % tws::kSectors;
-  heard.sector.running = message.running_sector;
-  heard.sector.leave_time = tws_runtime::toSeconds(message.header.stamp);
+void IffPort::beginNewRun(double time) {
+  radars_at_ = time;
+  for (Interrogator& iff : interrogators_) {
+    iff.waiting.clear();
+    iff.gone_back = false;
+  }
+}
+
+void IffPort::hear(Interrogator& iff, const tws_msgs::SsrPlots& message) {
+  iff.frame = message.header.frame_id;
+  tws::RadarSector sector;
+  sector.sector = message.sector % tws::kSectors;
+  sector.running = message.running_sector;
+  sector.leave_time = tws_runtime::toSeconds(message.header.stamp);
   for (const tws_msgs::SsrPlot& p : message.plots) {
-    if (!isGood(p)) {
-      bus_.counter("bad IFF plots")
-          .add("range is " + std::to_string(p.range) + ", azimuth " + std::to_string(p.azimuth) + " in /" +
-               params_[iff].name + "/plots");
+    const std::string fault = faultOf(p, sector.leave_time);
+    if (!fault.empty()) {
+      bus_.counter("bad IFF plots").add(fault + " in /" + iff.name + "/plots");
       continue;
     }
-    tws::Plot& plot = heard.sector.plots.emplace_back();
+    tws::Plot& plot = sector.plots.emplace_back();
     plot.time = tws_runtime::toSeconds(p.stamp);
     plot.range = p.range;
     plot.azimuth = p.azimuth;
   }
-  waiting_.push_back(std::move(heard));
+  await(iff, std::move(sector));
+}
+
+void IffPort::await(Interrogator& iff, tws::RadarSector sector) {
+  iff.gone_back = iff.gone_back || sector.leave_time <= radars_at_ + restart_limit_;
+  if (!iff.gone_back) {
+    bus_.counter("messages of the old run")
+        .add(iff.name + ": up to " + std::to_string(sector.leave_time) + " s, the radars are at " +
+             std::to_string(radars_at_) + " s");
+    return;
+  }
+  iff.waiting.push_back(std::move(sector));
+  if (iff.waiting.size() <= kMostWaiting) return;
+  iff.waiting.pop_front();
+  bus_.counter("dropped IFF sectors")
+      .add("more than " + std::to_string(kMostWaiting) + " of " + iff.name +
+           " wait: the radars are silent, or its clock is ahead of theirs");
+}
+
+/// Once for each secondary radar.
+bool IffPort::findSite(Interrogator& iff, const RadarSites& sites) {
+  if (iff.site || iff.site_unknown) return true;
+  const bool patient = iff.waiting.size() <= kPatience;
+  std::string why;
+  const auto site = tws_runtime::findSite(bus_.transforms(), frame_, iff.frame, why);
+  if (site) iff.site = sites.onPlane(*site);
+  if (site || patient) return site.has_value();
+  bus_.counter("unknown sites")
+      .add("no transform from " + iff.name + " to " + frame_ + ": " + why + "; its plots are left out");
+  iff.site_unknown = true;
+  return true;
 }
 
 void IffPort::handOver(Adit& adit, const RadarSites& sites) {
-  std::deque<Waiting> still;
-  for (Waiting& heard : waiting_) {
-    std::string why;
-    const auto site = tws_runtime::findSite(bus_.transforms(), frame_, heard.frame, why);
-    if (!site && waiting_.size() <= kMostWaiting) {
-      still.push_back(std::move(heard));
-      continue;
+  for (std::size_t i = 0; i < interrogators_.size(); ++i) {
+    Interrogator& iff = interrogators_[i];
+    if (iff.waiting.empty() || !findSite(iff, sites)) continue;
+    std::deque<tws::RadarSector> ahead;
+    for (tws::RadarSector& sector : iff.waiting) {
+      const std::size_t plots = sector.plots.size();
+      const std::string which = "up to " + std::to_string(sector.leave_time) + " s, of " + iff.name;
+      if (!iff.site)
+        leaveOut("unplaced IFF plots", plots, which);
+      else if (sector.leave_time > radars_at_)
+        ahead.push_back(std::move(sector));
+      else if (!adit.hearIff(i, std::move(sector), *iff.site))
+        leaveOut("late IFF plots", plots, which);
     }
-    const std::string& name = params_[heard.iff].name;
-    if (!site) bus_.counter("unknown sites").add("no transform from " + name + " to " + frame_ + ": " + why);
-    const std::string late = "up to " + std::to_string(heard.sector.leave_time) + " s, of " + name;
-    const std::size_t plots = heard.sector.plots.size();
-    if (adit.hearIff(heard.iff, std::move(heard.sector), site ? sites.onPlane(*site) : SiteFrame{})) continue;
-    for (std::size_t i = 0; i < plots; ++i) bus_.counter("late IFF plots").add(late);
+    iff.waiting = std::move(ahead);
   }
-  waiting_ = std::move(still);
+}
+
+void IffPort::leaveOut(const char* counter, std::size_t plots, const std::string& reason) {
+  for (std::size_t i = 0; i < plots; ++i) bus_.counter(counter).add(reason);
 }
 
 }  // namespace adit_tracker

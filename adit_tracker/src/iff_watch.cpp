@@ -13,6 +13,9 @@ namespace {
 constexpr double kGateSigmas = 4.0;
 // Further away [m] no track is looked at: it is faster than a search by its covariance.
 constexpr double kFarAway = 5e3;
+// A plot is looked at when the tracks are half a second past it, some seconds at most [s]. Further back a filter's
+// covariance says nothing: it is made to go forward.
+constexpr double kFurthestBack = 5.0;
 constexpr double kTurnsWithoutAnswer =
     1.5;  // … and the secondary radar is not detecting it, whatever became of its beam
 
@@ -90,10 +93,11 @@ void IffWatch::collect(const Interrogator& iff, const Sector& sector, const Trac
     for (const auto slot : near_) {
       const Kinematics& k = tracks.at(slot).smoothed;
       const double dt = plot.time - k.time;
+      if (dt < -kFurthestBack) continue;
       if (std::hypot(k.x + k.vx * dt - x, k.y + k.vy * dt - y) > kFarAway) continue;
       const double distance =
           motion.squaredDistance(tracks.at(slot), plot, iff.params.range_sigma, iff.params.azimuth_sigma, sector.site);
-      if (distance <= kGateSigmas * kGateSigmas) pairs_.push_back({distance, slot, i});
+      if (distance >= 0.0 && distance <= kGateSigmas * kGateSigmas) pairs_.push_back({distance, slot, i});
     }
   }
   const auto key = [&](const Pair& p) { return std::make_tuple(p.distance, tracks.at(p.slot).uid, p.plot); };

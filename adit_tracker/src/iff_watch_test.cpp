@@ -135,6 +135,21 @@ TEST_F(Iff, RepliesThatComeTooLateAreLeftOutAndSaid) {
   EXPECT_TRUE(alwaysFrom(bits["answers"], 0.0, 90.0, false));
 }
 
+// A filter's covariance is made to go forward: far back it says nothing, not even that a plot is near.
+TEST_F(Iff, APlotThatIsMuchOlderThanTheTracksAnswersForNobody) {
+  Sectors old = replies(100.0, {answers_});
+  for (auto& sector : old) {
+    for (auto& plot : sector.plots) {
+      plot.time -= 10.0;
+      plot.range = answers_.range(plot.time);
+      plot.azimuth = answers_.azimuth(plot.time);
+    }
+  }
+  auto bits = play(params(), old, 100.0, 0.0);
+  EXPECT_TRUE(alwaysFrom(bits["answers"], 0.0, 100.0, false));
+  EXPECT_TRUE(alwaysFrom(bits["silent"], 0.0, 100.0, false));
+}
+
 TEST_F(Iff, ABiasThatIsKnownIsTakenOff) {
   auto off = replies(100.0, {answers_});
   for (auto& sector : off)

@@ -36,7 +36,10 @@ class OperatorPort {
   /// To be called after each sector: repeats what was recorded there.
   void afterSector(Adit& adit);
   /// Time has gone back.
-  void beginNewRun() { ++run_; }
+  void beginNewRun() {
+    ++run_;
+    at_start_.clear();
+  }
 
   using Message = tws_msgs::OperatorRequest;
   /// A request that asks for nothing yet.
