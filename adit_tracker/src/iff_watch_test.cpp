@@ -140,7 +140,7 @@ TEST_F(Iff, APlotThatIsMuchOlderThanTheTracksAnswersForNobody) {
   Sectors old = replies(100.0, {answers_});
   for (auto& sector : old) {
     for (auto& plot : sector.plots) {
-      plot.time -= 10.0;
+      plot.time -= 6.0;
       plot.range = answers_.range(plot.time);
       plot.azimuth = answers_.azimuth(plot.time);
     }
