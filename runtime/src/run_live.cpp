@@ -14,6 +14,8 @@ namespace {
 
 constexpr double kClockPeriod = 0.02;  // [s of wall time]: /clock goes out at least 50 times a second.
 
+constexpr double kMostMadeUp = 0.1;  // [s of wall time]
+
 /// Calls what waits, for at least this long.
 void spinFor(double wall_s) {
   const ros::WallTime end = ros::WallTime::now() + ros::WallDuration(wall_s);
@@ -63,8 +65,11 @@ class PacedClock {
     wall_start_ = ros::WallTime::now();
   }
 
-  /// Spins until it is `time`, telling the time on the way and at the end.
+  /// Spins until it is `time`, telling the time on the way and at the end. When it should have been that time long ago
+  /// (a command was awaited, the machine was busy), data time has been held: it is not made up for in a burst, in which
+  /// messages of one topic would overtake those of another by seconds of data time.
   void waitUntil(ros::Time time) {
+    if (wallUntil(time) < -kMostMadeUp) start(time);
     for (double wait = wallUntil(time); wait > 0.0 && ros::ok(); wait = wallUntil(time)) {
       spinFor(std::min(wait, kClockPeriod));
       tell(std::min(time, data_start_ + ros::Duration(rate_ * wallElapsed())));
