@@ -62,7 +62,7 @@ def real_time(measured, scene, tracker, ours):
     lines = []
     for name, parameters in (("nrl7952", tracker), ("default", ours)):
         speed, complete = (measured(metric, scene, parameters) for metric in ("times_real_time", "completeness"))
-        enough = "more than real time" if speed.mean - speed.half_width > 1 else "NOT in real time"
+        enough = speed.surely_above(1, "more than real time", "NOT in real time")
         count = scene["random_aircraft"][0]["count"]
         fewer = count * (complete.mean + complete.half_width) < 50
         lines.append(("tracks on 50 to 60 targets in real time", "50-60, 1 x real time",
@@ -111,7 +111,7 @@ def clutter(measured, scene, tracker, ours):
     lines = []
     for name, parameters in (("nrl7952", tracker), ("default", ours)):
         captured, spurious = measured("captured", scene, parameters), measured("spuriousness", scene, parameters)
-        most = "most are" if captured.mean - captured.half_width > 0.5 else "FEWER than half"
+        most = captured.surely_above(0.5, "most are", "FEWER than half")
         lines.append(("clutter points are captured, not tracked", "no number",
                       f"{captured.in_words('%', 100, 1)} captured; {spurious.in_words('%', 100, 1)} of track reports follow nobody ({name})", most))
     return lines
@@ -208,7 +208,7 @@ def clutter_that_comes(runs, seeds, Sample, verdict, tracker, ours):
         for kind, what in (("rock", "at the start of a run"), ("boat", "100 s later")):
             shares = [Sample(held[kind, after]) for after in AFTER]
             enough = next((f"most are after {after} s" for share, after in zip(shares, AFTER) if share.mean - share.half_width > 0.5),
-                          f"FEWER than half after {AFTER[-1]} s")
+                          shares[-1].surely_above(0.5, "", f"FEWER than half after {AFTER[-1]} s"))
             lines.append((f"clutter is captured immediately: {what}", "no number",
                           ", ".join(f"{share.in_words('%', 100, 0)} after {after} s" for share, after in zip(shares, AFTER)) + f" ({name})", enough))
         with_map, without = Sample(knowing), Sample(bare)
@@ -260,7 +260,7 @@ def elevation(runs, seeds, Sample, tracker, ours):
                    "they do" if within.mean > 0.95 else "NOT as well as stated"),
                   ("searched for on the next scan, four new targets a scan", "8 s a scan",
                    f"{delay.in_words('s', digits=1)} from designation to the first height, 15 targets at about the same time ({name})",
-                   "within four scans" if delay.mean + delay.half_width < 32 else "LATER")]
+                   Sample([32 - v for v in delay.values]).surely_above(0, "within four scans", "LATER"))]
     return lines
 
 

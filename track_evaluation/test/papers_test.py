@@ -38,6 +38,9 @@ class PapersTest(unittest.TestCase):
     def test_one_seed_has_no_interval_and_no_verdict(self):
         self.assertEqual(Sample([4]).in_words(), "4.00")
         self.assertEqual(verdict(Sample([4])), "one seed says nothing")
+        self.assertEqual(Sample([4]).surely_above(1, "fast", "slow"), "one seed says nothing")
+        self.assertEqual(Sample([4, 4.1, 3.9]).surely_above(1, "fast", "slow"), "fast")
+        self.assertEqual(Sample([4, 4.1, 3.9]).surely_above(4, "fast", "slow"), "slow")
 
     def test_a_verdict_needs_the_whole_interval_on_one_side(self):
         self.assertEqual(verdict(Sample([1, 1.1, 0.9])), "confirmed")
