@@ -43,9 +43,9 @@ void Adit::aimAt(Track& track, std::size_t radar, std::int64_t running) {
 /// Puts the track into the sector where its next illumination will be.
 void Adit::moveOn(TrackFile::Slot slot, std::size_t radar) {
   if (!dropped_.empty() && std::find(dropped_.begin(), dropped_.end(), slot) != dropped_.end()) return;
-  const int from = tracks_.sector(slot, radars_[radar].site);
-  int to = tws::sectorOf(tracks_.at(slot).predicted.azimuth);
   const std::size_t site = radars_[radar].site;
+  const int from = tracks_.sector(slot, site);
+  int to = tws::sectorOf(tracks_.at(slot).predicted.azimuth);
   for (std::size_t other = 0; other < radars_.size(); ++other) {
     if (other != radar && radars_[other].site == site && from != to && wouldMissUpdate(from, to, other)) to = from;
   }

@@ -2,24 +2,9 @@
 
 #include <tws_runtime/conversions.h>
 
-#include <cmath>
-
 #include <tws_core/sectors.h>
 
 namespace adit_tracker {
-namespace {
-
-std::string faultOf(const tws_msgs::SsrPlot& plot, double leave_time) {
-  const double time = tws_runtime::toSeconds(plot.stamp);
-  if (!(plot.range > 0.0 && plot.range <= 1e7)) return "range is " + std::to_string(plot.range);
-  if (!(plot.azimuth >= 0.0 && plot.azimuth < tws::kTwoPi)) return "azimuth is " + std::to_string(plot.azimuth);
-  // A sector lasts two seconds at most.
-  if (!(std::abs(time - leave_time) <= 2.0)) return "stamp is " + std::to_string(time) + ", outside of its sector";
-  return "";
-}
-
-}  // namespace
-
 IffPort::IffPort(tws_runtime::Bus& bus, const std::string& frame, const std::vector<IffParams>& params,
                  double restart_limit)
     : bus_(bus), frame_(frame), restart_limit_(restart_limit), interrogators_(params.size()) {
@@ -45,7 +30,7 @@ void IffPort::hear(Interrogator& iff, const tws_msgs::SsrPlots& message) {
   sector.running = message.running_sector;
   sector.leave_time = tws_runtime::toSeconds(message.header.stamp);
   for (const tws_msgs::SsrPlot& p : message.plots) {
-    const std::string fault = faultOf(p, sector.leave_time);
+    const std::string fault = tws_runtime::faultOf(p, sector.leave_time);
     if (!fault.empty()) {
       bus_.counter("bad IFF plots").add(fault + " in /" + iff.name + "/plots");
       continue;

@@ -3,11 +3,8 @@
 #include <cmath>
 
 namespace adit_tracker {
-namespace {
 
 using tws_runtime::Site;
-
-}  // namespace
 
 RadarSites::RadarSites(tws_runtime::Bus& bus, const std::string& frame, const std::vector<std::string>& radars,
                        bool joins, FrameOf frame_of)

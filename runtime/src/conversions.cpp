@@ -76,6 +76,15 @@ std::string faultOf(const tws_msgs::Detection& detection) {
   return "";
 }
 
+std::string faultOf(const tws_msgs::SsrPlot& plot, double leave_time) {
+  const double time = toSeconds(plot.stamp);
+  if (!(plot.range > 0.0 && plot.range <= 1e7)) return "range is " + std::to_string(plot.range);
+  if (!(plot.azimuth >= 0.0 && plot.azimuth < tws::kTwoPi)) return "azimuth is " + std::to_string(plot.azimuth);
+  // A sector lasts two seconds at most.
+  if (!(std::abs(time - leave_time) <= 2.0)) return "stamp is " + std::to_string(time) + ", outside of its sector";
+  return "";
+}
+
 tws::Plot toPlot(const tws_msgs::Detection& detection) {
   tws::Plot plot;
   plot.time = toSeconds(detection.stamp);

@@ -13,15 +13,6 @@ namespace {
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 constexpr std::uint16_t kGreatestCode = 07777;
 
-std::string faultOf(const tws_msgs::SsrPlot& plot, double leave_time) {
-  const double time = tws_runtime::toSeconds(plot.stamp);
-  if (!(plot.range > 0.0 && plot.range <= 1e7)) return "range is " + std::to_string(plot.range);
-  if (!(plot.azimuth >= 0.0 && plot.azimuth < tws::kTwoPi)) return "azimuth is " + std::to_string(plot.azimuth);
-  // A sector lasts two seconds at most.
-  if (!(std::abs(time - leave_time) <= 2.0)) return "stamp is " + std::to_string(time) + ", outside of its sector";
-  return "";
-}
-
 CodeReply codeOf(std::uint16_t code, bool garbled, std::vector<std::string>& faults) {
   if (code == tws_msgs::SsrPlot::CODE_UNKNOWN) return {};
   if (code <= kGreatestCode) return {code, garbled};
@@ -98,7 +89,7 @@ void setCovariance(tws_msgs::Track& message, const Eigen::Matrix4d& own, const S
 SecondarySector sectorOf(const tws_msgs::SsrPlots& message, std::vector<std::string>& faults) {
   SecondarySector sector{message.running_sector, tws_runtime::toSeconds(message.header.stamp), {}};
   for (const tws_msgs::SsrPlot& plot : message.plots) {
-    const std::string fault = faultOf(plot, sector.leave_time);
+    const std::string fault = tws_runtime::faultOf(plot, sector.leave_time);
     if (fault.empty())
       sector.plots.push_back(plotOf(plot, faults));
     else

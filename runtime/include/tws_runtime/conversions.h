@@ -5,6 +5,7 @@
 #include <tws_core/plot.h>
 #include <tws_msgs/Detection.h>
 #include <tws_msgs/Detections.h>
+#include <tws_msgs/SsrPlot.h>
 
 #include <optional>
 #include <string>
@@ -31,6 +32,9 @@ std::optional<Site> findSite(const tf2::BufferCore& transforms, const std::strin
 /// Why a detection cannot be used, e.g. "azimuth is nan"; empty: it can. Range and azimuth must be in range; what may
 /// be unknown may be NaN, and if known must be in range too.
 std::string faultOf(const tws_msgs::Detection& detection);
+
+/// The same of a secondary plot of a sector that its beam left at `leave_time` [s]; its codes are not looked at.
+std::string faultOf(const tws_msgs::SsrPlot& plot, double leave_time);
 
 /// Both ways; signal-to-noise ratios have 24 bits in the message. toDetection throws as toTime.
 tws::Plot toPlot(const tws_msgs::Detection& detection);
