@@ -116,6 +116,8 @@ std::vector<std::string> RadarSimNode::rangeRadars() const { return namesOf(scen
 
 double RadarSimNode::duration() const { return scenario_->duration; }
 
+YAML::Node RadarSimNode::trackers() const { return scenario_->trackers; }
+
 bool RadarSimNode::isReady() const {
   const auto isReady = [](const auto& loop) { return loop.isReady(); };
   return std::all_of(array_loops_.begin(), array_loops_.end(), isReady) &&

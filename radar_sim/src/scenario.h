@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <tws_core/geodesy.h>
+#include <yaml-cpp/yaml.h>
 
 #include "array_params.h"
 #include "fault.h"
@@ -40,6 +41,8 @@ struct Scenario {
   std::vector<RandomGroup> groups;
   std::vector<Fault> faults;
   std::optional<TrackFeedParams> track_feed;  ///< Without it nobody but trackers tells tracks.
+  /// A map, tracker name → its parameters, as it stands in the file: whoever starts the trackers reads it.
+  YAML::Node trackers{YAML::NodeType::Map};
 
   double endTime() const { return start_time + duration; }
 };

@@ -166,7 +166,8 @@ std::string folderOf(const std::string& path) {
 }  // namespace
 
 Scenario loadScenario(const std::string& path, const ScenarioOverrides& overrides) {
-  ParameterReader reader(tws_runtime::loadParameterFile(path), path);
+  const YAML::Node tree = tws_runtime::loadParameterFile(path);
+  ParameterReader reader(tree, path);
   Scenario scenario;
   readGeneral(reader, scenario);
   const ReadingContext context{tws::LocalFrame(scenario.origin), scenario.start_time, folderOf(path)};
@@ -175,6 +176,8 @@ Scenario loadScenario(const std::string& path, const ScenarioOverrides& override
   readRadars(reader, scenario);
   for (ParameterReader& entry : reader.list("faults")) scenario.faults.push_back(readFault(entry, scenario));
   readTrackFeed(reader, scenario);
+  reader.map("trackers");  // throws when it is no map
+  if (tree["trackers"] && tree["trackers"].IsMap()) scenario.trackers = tree["trackers"];
   reader.done();
   scenario.seed = overrides.seed.value_or(scenario.seed);
   scenario.duration = overrides.duration.value_or(scenario.duration);

@@ -23,6 +23,25 @@ TEST_F(ScenarioFile, MayBeEmpty) {
   EXPECT_TRUE(scenario.radars.empty());
 }
 
+// A ship's scenario under a name of the user's own would be tracked with an aircraft's parameters.
+TEST_F(ScenarioFile, SaysWhichParametersItsTrackersNeedAndLeavesTheirMeaningToThoseWhoStartThem) {
+  const Scenario scenario = load(R"(
+trackers:
+  range_gate_tracker: ship
+  window_tracker: {radar: sps12, parameters: [a, b]}
+)");
+  ASSERT_EQ(scenario.trackers.size(), 2u);
+  EXPECT_EQ(scenario.trackers["range_gate_tracker"].as<std::string>(), "ship");
+  EXPECT_EQ(scenario.trackers["window_tracker"]["radar"].as<std::string>(), "sps12");
+  EXPECT_EQ(scenario.trackers["range_gate_tracker"].Mark().line, 2);  // for errors of those who read it
+  for (const char* none : {"", "trackers:\n", "trackers: {}\n"}) {
+    EXPECT_TRUE(load(none).trackers.IsMap()) << none;
+    EXPECT_EQ(load(none).trackers.size(), 0u) << none;
+  }
+  expectComplaint("seed: 1\ntrackers: ship\n", 2, "trackers");
+  expectComplaint("trackers: {a: ship, a: boat}\n", 1, "a");
+}
+
 TEST_F(ScenarioFile, IsReadInItsUnits) {
   const Scenario scenario = load(R"(
 seed: 42

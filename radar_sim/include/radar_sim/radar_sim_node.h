@@ -15,6 +15,7 @@
 #include <tws_msgs/Truth.h>
 #include <tws_runtime/bus.h>
 #include <tws_runtime/source.h>
+#include <yaml-cpp/yaml.h>
 
 namespace radar_sim {
 
@@ -56,6 +57,9 @@ class RadarSimNode : public tws_runtime::Source {
   std::vector<std::string> rangeRadars() const;
   /// Data time from start to end [s].
   double duration() const;
+  /// What the scenario says of the trackers that it is meant for: the map under its key `trackers` as it stands there,
+  /// tracker name → parameters, unchecked. Empty when the key is absent.
+  YAML::Node trackers() const;
 
  private:
   struct RadarTopics {
