@@ -1,4 +1,4 @@
-# Settings of every package that finds tws_core.
+# Settings of every package that finds tws_core, and the functions that its CMakeLists.txt is made of.
 if(NOT CMAKE_BUILD_TYPE)
   set(CMAKE_BUILD_TYPE Release)
 endif()
@@ -7,3 +7,150 @@ set(CMAKE_CXX_STANDARD_REQUIRED ON)
 add_compile_options(-Wall -Wextra -Wpedantic -Werror)
 # Tests run in the environment as it is by then: catkin's own copy of it is made before there are any Python modules of messages.
 set(CATKIN_ENV ${CATKIN_DEVEL_PREFIX}/env.sh)
+
+option(TWS_LTO "Optimise across files the libraries whose hot loops cross them" ON)
+
+# Each target is named PACKAGE_NAME, for all packages share one name space of targets; its file is named NAME.
+function(_tws_target variable name)
+  if(name MATCHES "^${PROJECT_NAME}")
+    set(${variable} ${name} PARENT_SCOPE)
+  else()
+    set(${variable} ${PROJECT_NAME}_${name} PARENT_SCOPE)
+  endif()
+endfunction()
+
+# tws_library(SOURCE... [STATIC] [LTO] [LINK LIBRARY...])
+# The package's library, installed with the headers of include/PACKAGE; it links what catkin found, and LIBRARY... besides.
+function(tws_library)
+  cmake_parse_arguments(PARSE_ARGV 0 arg "STATIC;LTO" "" "LINK")
+  foreach(folder src include)
+    if(IS_DIRECTORY ${PROJECT_SOURCE_DIR}/${folder})
+      include_directories(${folder})
+    endif()
+  endforeach()
+  if(IS_DIRECTORY ${PROJECT_SOURCE_DIR}/include/${PROJECT_NAME})
+    install(DIRECTORY include/${PROJECT_NAME}/ DESTINATION ${CATKIN_PACKAGE_INCLUDE_DESTINATION})
+  endif()
+  include_directories(SYSTEM ${catkin_INCLUDE_DIRS} ${EIGEN3_INCLUDE_DIRS} ${Boost_INCLUDE_DIRS})
+  if(arg_STATIC)
+    add_library(${PROJECT_NAME} STATIC ${arg_UNPARSED_ARGUMENTS})
+  else()
+    add_library(${PROJECT_NAME} ${arg_UNPARSED_ARGUMENTS})
+    install(TARGETS ${PROJECT_NAME}
+      ARCHIVE DESTINATION ${CATKIN_PACKAGE_LIB_DESTINATION}
+      LIBRARY DESTINATION ${CATKIN_PACKAGE_LIB_DESTINATION}
+      RUNTIME DESTINATION ${CATKIN_GLOBAL_BIN_DESTINATION}
+    )
+  endif()
+  if(catkin_EXPORTED_TARGETS)
+    add_dependencies(${PROJECT_NAME} ${catkin_EXPORTED_TARGETS})
+  endif()
+  target_link_libraries(${PROJECT_NAME} ${catkin_LIBRARIES} ${arg_LINK})
+  # CMake's own switch for this uses an option that clang-tidy refuses.
+  if(arg_LTO AND TWS_LTO AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_BUILD_TYPE STREQUAL "Release")
+    target_compile_options(${PROJECT_NAME} PRIVATE -flto)
+    target_link_options(${PROJECT_NAME} PRIVATE -flto=auto)
+  endif()
+endfunction()
+
+# tws_program(NAME SOURCE... [LINK LIBRARY...])
+# A program that rosrun finds.
+function(tws_program name)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "LINK")
+  _tws_target(target ${name})
+  add_executable(${target} ${arg_UNPARSED_ARGUMENTS})
+  set_target_properties(${target} PROPERTIES OUTPUT_NAME ${name})
+  target_link_libraries(${target} ${PROJECT_NAME} ${arg_LINK})
+  install(TARGETS ${target} RUNTIME DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
+endfunction()
+
+# tws_node(NAME SOURCE)
+# A node of the package's library, with its main() in SOURCE.
+function(tws_node name source)
+  tws_program(${name} ${source})
+endfunction()
+
+# tws_share(PATH...)
+# Installs files and folders that a launch file names.
+function(tws_share)
+  foreach(path ${ARGN})
+    if(IS_DIRECTORY ${PROJECT_SOURCE_DIR}/${path})
+      install(DIRECTORY ${path} DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION})
+    else()
+      install(FILES ${path} DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION})
+    endif()
+  endforeach()
+endfunction()
+
+# tws_tests(SOURCE... [DEFINE MACRO="TEXT"...] [LINK LIBRARY...])
+# The package's GoogleTests, as one program.
+function(tws_tests)
+  if(NOT CATKIN_ENABLE_TESTING)
+    return()
+  endif()
+  cmake_parse_arguments(PARSE_ARGV 0 arg "" "" "DEFINE;LINK")
+  catkin_add_gtest(${PROJECT_NAME}_test ${arg_UNPARSED_ARGUMENTS})
+  target_compile_definitions(${PROJECT_NAME}_test PRIVATE ${arg_DEFINE})
+  target_link_libraries(${PROJECT_NAME}_test ${PROJECT_NAME} ${arg_LINK} gtest_main)
+endfunction()
+
+# tws_test_program(NAME SOURCE...)
+# A program that a test runs; it is not installed.
+function(tws_test_program name)
+  if(CATKIN_ENABLE_TESTING)
+    add_executable(${PROJECT_NAME}_${name} ${ARGN})
+    target_link_libraries(${PROJECT_NAME}_${name} ${PROJECT_NAME})
+  endif()
+endfunction()
+
+# tws_python_test(NAME SCRIPT [IN_WORKSPACE] [ARGUMENTS ARGUMENT...])
+# A test in Python. IN_WORKSPACE: it needs the Python modules of the messages, or has packages found.
+function(tws_python_test name script)
+  if(NOT CATKIN_ENABLE_TESTING)
+    return()
+  endif()
+  cmake_parse_arguments(PARSE_ARGV 2 arg "IN_WORKSPACE" "" "ARGUMENTS")
+  find_package(Python3 REQUIRED COMPONENTS Interpreter)
+  set(environment "")
+  if(arg_IN_WORKSPACE)
+    set(environment ${CATKIN_ENV})
+  endif()
+  add_test(NAME _ctest_${PROJECT_NAME}_${name}
+    COMMAND ${environment} ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/${script} ${arg_ARGUMENTS})
+endfunction()
+
+# tws_rostest(LAUNCH_FILE [NAME SOURCE...] [NODES NODE...] [LINK LIBRARY...])
+# A test among live nodes; its GoogleTests, if it has any, are SOURCE... and make the program NAME.
+function(tws_rostest launch_file)
+  if(NOT CATKIN_ENABLE_TESTING)
+    return()
+  endif()
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "NODES;LINK")
+  find_package(rostest REQUIRED)
+  set(nodes "")
+  foreach(node ${arg_NODES})
+    _tws_target(target ${node})
+    list(APPEND nodes ${target})
+  endforeach()
+  if(NOT arg_UNPARSED_ARGUMENTS)
+    add_rostest(${launch_file} DEPENDENCIES ${nodes})
+    return()
+  endif()
+  list(POP_FRONT arg_UNPARSED_ARGUMENTS name)
+  set(target ${PROJECT_NAME}_${name})
+  add_rostest_gtest(${target} ${launch_file} ${arg_UNPARSED_ARGUMENTS})
+  add_dependencies(${target} ${nodes} ${catkin_EXPORTED_TARGETS})
+  target_link_libraries(${target} ${arg_LINK} ${catkin_LIBRARIES})
+endfunction()
+
+# tws_benchmark(SOURCE... [LINK LIBRARY...])
+# The package's benchmarks, where Google Benchmark is installed.
+function(tws_benchmark)
+  find_package(benchmark QUIET)
+  if(NOT benchmark_FOUND)
+    return()
+  endif()
+  cmake_parse_arguments(PARSE_ARGV 0 arg "" "" "LINK")
+  add_executable(${PROJECT_NAME}_benchmark ${arg_UNPARSED_ARGUMENTS})
+  target_link_libraries(${PROJECT_NAME}_benchmark ${PROJECT_NAME} ${arg_LINK} benchmark::benchmark)
+endfunction()
