@@ -10,7 +10,7 @@
 #include <tws_core/angles.h>
 #include <tws_core/units.h>
 
-#include "adit.h"
+#include "core/adit.h"
 
 namespace adit_tracker {
 namespace {

@@ -14,11 +14,11 @@
 #include <tws_core/units.h>
 
 #include "adit_params_reader.h"
-#include "clutter_csv.h"
-#include "plot_csv.h"
-#include "radar_spec.h"
-#include "sector_feed.h"
-#include "track_csv.h"
+#include "clutter/clutter_csv.h"
+#include "io/plot_csv.h"
+#include "io/radar_spec.h"
+#include "io/sector_feed.h"
+#include "io/track_csv.h"
 
 namespace adit_tracker {
 namespace {

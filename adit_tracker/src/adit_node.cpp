@@ -12,15 +12,15 @@
 #include <limits>
 #include <optional>
 
-#include "adit.h"
 #include "adit_params_reader.h"
-#include "clutter_port.h"
-#include "elevation_port.h"
-#include "iff_port.h"
-#include "operator_port.h"
-#include "radar_sites.h"
-#include "status_report.h"
-#include "track_messages.h"
+#include "clutter/clutter_port.h"
+#include "core/adit.h"
+#include "elevation/elevation_port.h"
+#include "iff/iff_port.h"
+#include "io/radar_sites.h"
+#include "io/status_report.h"
+#include "io/track_messages.h"
+#include "operator/operator_port.h"
 
 namespace adit_tracker {
 namespace {

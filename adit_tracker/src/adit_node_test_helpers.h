@@ -21,7 +21,7 @@
 #include <tuple>
 #include <vector>
 
-#include "adit_test_helpers.h"
+#include "core/adit_test_helpers.h"
 
 namespace adit_tracker {
 

@@ -6,7 +6,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "track.h"
+#include "core/track.h"
 
 namespace adit_tracker {
 namespace {

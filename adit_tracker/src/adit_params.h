@@ -9,9 +9,9 @@
 #include <tws_core/sectors.h>
 #include <tws_core/units.h>
 
-#include "elevation_params.h"
-#include "gate.h"
-#include "turning_filter.h"
+#include "core/gate.h"
+#include "core/turning_filter.h"
+#include "elevation/elevation_params.h"
 
 namespace adit_tracker {
 

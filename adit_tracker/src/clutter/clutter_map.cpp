@@ -1,0 +1,207 @@
+#include "clutter/clutter_map.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <tws_core/angles.h>
+#include <tws_core/quantisation.h>
+
+namespace adit_tracker {
+namespace {
+// A point updated so recently has been met on this scan already and has changed its sector since. The report's second
+// is longer than a scan of a fast radar: then half a scan counts.
+constexpr double kSameScan = 1.0;  // [s]
+
+/// One that no radar has seen yet.
+ClutterPoint pointAt(double range, double azimuth, double time) {
+  ClutterPoint point;
+  point.range = range;
+  point.azimuth = azimuth;
+  point.first_time = point.last_update = time;
+  point.updated.fill(kNever);
+  return point;
+}
+
+using NumbersBySector = std::array<std::vector<std::uint32_t>, tws::kSectors>;
+
+/// Takes the nearest point out of `there` that lies within the region round the place.
+std::optional<std::uint32_t> claimNearest(NumbersBySector& there, const std::vector<ClutterPoint>& points,
+                                          const ClutterPlace& place, const Gate& region) {
+  std::optional<std::uint32_t> nearest;
+  double least = 0.0;
+  std::vector<std::uint32_t>* home = nullptr;
+  for (int offset = -1; offset <= 1; ++offset) {
+    auto& numbers = there[static_cast<std::size_t>(tws::wrapSector(tws::sectorOf(place.azimuth) + offset))];
+    auto n = std::lower_bound(numbers.begin(), numbers.end(), place.range - region.range,
+                              [&](std::uint32_t number, double range) { return points[number].range < range; });
+    for (; n != numbers.end() && points[*n].range <= place.range + region.range; ++n) {
+      const double away = std::abs(tws::angularDifference(points[*n].azimuth, place.azimuth));
+      const double distance = effectiveDistance(region, std::abs(points[*n].range - place.range), away);
+      if (away > region.azimuth || (nearest && distance >= least)) continue;
+      nearest = *n;
+      least = distance;
+      home = &numbers;
+    }
+  }
+  if (nearest) home->erase(std::find(home->begin(), home->end(), *nearest));
+  return nearest;
+}
+
+}  // namespace
+
+ClutterMap::ClutterMap(const ClutterParams& params, const ConversionParams& conversion)
+    : params_(params), conversion_(conversion), numbers_(params.capacity), sectors_(params.capacity) {}
+
+Gate ClutterMap::regionAround(double range, const RadarQuality& quality) const {
+  Gate region = params_.gate;
+  if (params_.gate_sigmas > 0.0) {
+    region.range = std::min(region.range, params_.gate_sigmas * quality.rangeSigma());
+    // Close by, where a reflector is larger than the beam's error, the region is as wide as it is deep.
+    region.azimuth =
+        std::min(region.azimuth, std::max(params_.gate_sigmas * quality.azimuthSigma(), region.range / range));
+  }
+  return region;
+}
+
+Detection* ClutterMap::nearest(const ClutterPoint& point, RadarState& radar, std::int64_t running) const {
+  const Gate region = regionAround(point.range, radar.quality);
+  Detection* best = nullptr;
+  double least = 0.0;
+  const auto closest = [&](Detection& detection, double range_difference, double azimuth_difference) {
+    const double distance = effectiveDistance(params_.gate, range_difference, azimuth_difference);
+    if (best != nullptr && distance >= least) return;
+    best = &detection;
+    least = distance;
+  };
+  for (std::int64_t sector = running - 1; sector <= running + 1; ++sector) {
+    radar.detections.at(sector).near(point.range, point.azimuth, region.range, region.azimuth, closest);
+  }
+  return best;
+}
+
+void ClutterMap::take(ClutterPoint& point, Detection& detection, std::size_t radar) {
+  const tws::Plot& plot = detection.plot;
+  // Smoothing 1 is the report's: the point takes over the detection's position.
+  const double weight = std::max(params_.smoothing, 1.0 / (point.hits + 1));
+  point.range += weight * (plot.range - point.range);
+  point.azimuth = tws::wrapTwoPi(point.azimuth + weight * tws::angularDifference(plot.azimuth, point.azimuth));
+  point.last_update = plot.time;
+  point.updated[radar] = plot.time;
+  const bool absorbs = absorbing(point);
+  ++point.hits;
+  if (absorbs) {
+    detection.used = true;
+    ++absorbed_;
+  } else {
+    detection.claim = point.number;
+  }
+}
+
+/// Compares the place with the one stored eight scans ago, and stores the present one.
+bool ClutterMap::moves(ClutterPoint& point, double judge_after) const {
+  const auto rates = point.reference.compare(point.last_update, point.range, point.azimuth, judge_after);
+  return rates && isFaster(rates->range, rates->azimuth, point.range, conversion_.speed_up, conversion_);
+}
+
+std::vector<ClutterPoint> ClutterMap::process(std::size_t radar_index, RadarState& radar, std::int64_t running,
+                                              double now, std::optional<double> judge_after) {
+  std::vector<ClutterPoint> moving;
+  const int sector = tws::wrapSector(static_cast<int>(running % tws::kSectors));
+  const double same_scan = std::min(kSameScan, 0.5 * radar.antenna.period());
+  std::uint32_t next = 0;
+  for (std::uint32_t n = sectors_.first(sector); n != tws::SectorFile::kNone; n = next) {
+    next = sectors_.next(n);
+    ClutterPoint& point = points_[n];
+    if (now - point.last_update > params_.drop_time) {
+      drop(n);
+      continue;
+    }
+    if (now - point.updated[radar_index] < same_scan) continue;
+    Detection* const detection = nearest(point, radar, running);
+    if (detection != nullptr) take(point, *detection, radar_index);
+    if (judge_after && absorbing(point) && moves(point, *judge_after)) {
+      moving.push_back(point);
+      drop(n);
+      continue;
+    }
+    const int place = tws::sectorOf(point.azimuth);
+    if (place == sector) continue;
+    sectors_.remove(n);
+    sectors_.addLast(n, place);
+  }
+  return moving;
+}
+
+bool ClutterMap::insert(ClutterPoint point) {
+  const auto number = numbers_.take();
+  if (!number) return false;
+  point.number = *number;
+  if (points_.size() <= *number) points_.resize(*number + 1);
+  points_[*number] = point;
+  sectors_.addLast(*number, tws::sectorOf(point.azimuth));
+  ++size_;
+  return true;
+}
+
+bool ClutterMap::initiate(const tws::Plot& plot, std::size_t radar) {
+  ClutterPoint point = pointAt(plot.range, plot.azimuth, plot.time);
+  point.updated[radar] = plot.time;
+  return insert(point);
+}
+
+bool ClutterMap::adopt(double range, double azimuth, double time, std::size_t radar) {
+  ClutterPoint point = pointAt(range, azimuth, time);
+  point.hits = static_cast<std::int32_t>(params_.hits);
+  point.updated[radar] = time;
+  return insert(point);
+}
+
+/// Numbers of the points in each sector, by range.
+std::array<std::vector<std::uint32_t>, tws::kSectors> ClutterMap::byRange() const {
+  std::array<std::vector<std::uint32_t>, tws::kSectors> sorted;
+  const auto nearer = [&](std::uint32_t a, std::uint32_t b) { return points_[a].range < points_[b].range; };
+  for (int sector = 0; sector < tws::kSectors; ++sector) {
+    auto& numbers = sorted[static_cast<std::size_t>(sector)];
+    for (auto n = sectors_.first(sector); n != tws::SectorFile::kNone; n = sectors_.next(n)) numbers.push_back(n);
+    std::stable_sort(numbers.begin(), numbers.end(), nearer);
+  }
+  return sorted;
+}
+
+std::size_t ClutterMap::load(const std::vector<ClutterPlace>& places, double time, const RadarQuality& quality) {
+  auto there = byRange();  // those that no place has claimed
+  std::size_t refused = 0;
+  for (const ClutterPlace& place : places) {
+    const auto claimed = claimNearest(there, points_, place, regionAround(place.range, quality));
+    if (claimed) {
+      ClutterPoint& point = points_[*claimed];
+      point.hits = std::max(point.hits, hitsWhenKnown());
+      point.last_update = std::max(point.last_update, time);
+      continue;
+    }
+    ClutterPoint point = pointAt(place.range, place.azimuth, time);
+    point.hits = hitsWhenKnown();
+    if (!insert(point)) ++refused;
+  }
+  return refused;
+}
+
+void ClutterMap::drop(std::uint32_t number) {
+  sectors_.remove(number);
+  numbers_.drop(number);
+  --size_;
+}
+
+void ClutterMap::disclaim(std::uint32_t number) {
+  if (numbers_.used(number) && !absorbing(points_[number])) drop(number);
+}
+
+std::vector<ClutterPoint> ClutterMap::points() const {
+  std::vector<ClutterPoint> all;
+  for (int sector = 0; sector < tws::kSectors; ++sector) {
+    for (auto n = sectors_.first(sector); n != tws::SectorFile::kNone; n = sectors_.next(n)) all.push_back(points_[n]);
+  }
+  return all;
+}
+
+}  // namespace adit_tracker

@@ -1,0 +1,85 @@
+#include "clutter/clutter_port.h"
+
+#include <tws_runtime/parameters.h>
+
+#include <filesystem>
+#include <stdexcept>
+
+#include "clutter/clutter_csv.h"
+#include "operator/operator_messages.h"
+
+namespace adit_tracker {
+namespace {
+
+using Message = tws_msgs::OperatorRequest;
+
+std::string fullPath(const std::string& path) {
+  if (path.empty()) throw std::runtime_error("path is empty");
+  return std::filesystem::absolute(path).string();
+}
+
+std::vector<ClutterPlace> readStart(const std::string& node, const std::string& file, const ClutterLimits& limits) {
+  if (file.empty()) return {};
+  try {
+    return loadClutterFile(file, limits);
+  } catch (const std::runtime_error& error) {
+    throw tws_runtime::ParameterError(node + ": clutter_map: " + error.what());
+  }
+}
+
+}  // namespace
+
+ClutterPort::ClutterPort(tws_runtime::Bus& bus, OperatorPort& operators, const AditParams& params,
+                         const std::string& file, std::function<const Adit*()> adit)
+    : operators_(operators), limits_(params), adit_(std::move(adit)), at_start_(readStart(bus.name(), file, limits_)) {
+  const std::string own = "/" + bus.name();
+  bus.serve<tws_msgs::SaveClutterMap>(own + "/save_clutter_map",
+                                      [this](auto& request, auto& response) { return save(request, response); });
+  bus.serve<tws_msgs::LoadClutterMap>(own + "/load_clutter_map",
+                                      [this](auto& request, auto& response) { return load(request, response); });
+}
+
+void ClutterPort::beginRun() {
+  if (at_start_.empty()) return;
+  Message message = operators_.blank(Message::LOAD_CLUTTER);
+  message.clutter = clutterPoints(at_start_);
+  operators_.orderAtStart(message);
+}
+
+bool ClutterPort::save(const tws_msgs::SaveClutterMap::Request& request,
+                       tws_msgs::SaveClutterMap::Response& response) const {
+  try {
+    const Adit* const adit = adit_();
+    if (adit == nullptr) throw std::runtime_error("no sector has been processed yet");
+    const std::string path = fullPath(request.path);
+    const std::vector<ClutterPlace> places = adit->clutterPlaces();
+    saveClutterFile(path, places);
+    response.count = static_cast<std::uint32_t>(places.size());
+    response.message = std::to_string(places.size()) + " points saved to " + path;
+    response.success = 1;
+  } catch (const std::exception& error) {
+    response.message = error.what();
+  }
+  return true;
+}
+
+bool ClutterPort::load(const tws_msgs::LoadClutterMap::Request& request, tws_msgs::LoadClutterMap::Response& response) {
+  Message message = operators_.blank(Message::LOAD_CLUTTER);
+  std::string path = request.path, problem;
+  try {
+    path = fullPath(path);
+    message.clutter = clutterPoints(loadClutterFile(path, limits_));
+  } catch (const std::exception& error) {
+    problem = error.what();
+  }
+  operators_.order(message, problem);
+  response.success = message.result == Message::OK;
+  response.count = message.count;
+  response.message = message.message;
+  if (!response.success) return true;
+  response.message = std::to_string(message.count) + " points loaded from " + path;
+  if (message.count < message.clutter.size()) response.message += "; the others got no clutter number, all are in use";
+  return true;
+}
+
+}  // namespace adit_tracker

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <tws_msgs/LoadClutterMap.h>
+#include <tws_msgs/SaveClutterMap.h>
+#include <tws_runtime/bus.h>
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "clutter/clutter_places.h"
+#include "operator/operator_port.h"
+
+namespace adit_tracker {
+
+/// Saves and loads clutter maps: services, and the file that a run starts with. Loading goes through the operator's
+/// port, so that a replay repeats it, without the file.
+class ClutterPort {
+ public:
+  /// `adit`: the tracker as it is; nullptr: it has not processed a sector yet. `file`: loaded at the start of each run;
+  /// empty: none. Throws tws_runtime::ParameterError when it cannot be used.
+  ClutterPort(tws_runtime::Bus& bus, OperatorPort& operators, const AditParams& params, const std::string& file,
+              std::function<const Adit*()> adit);
+
+  /// A new run has begun.
+  void beginRun();
+
+ private:
+  bool save(const tws_msgs::SaveClutterMap::Request& request, tws_msgs::SaveClutterMap::Response& response) const;
+  bool load(const tws_msgs::LoadClutterMap::Request& request, tws_msgs::LoadClutterMap::Response& response);
+
+  OperatorPort& operators_;
+  ClutterLimits limits_;
+  std::function<const Adit*()> adit_;
+  std::vector<ClutterPlace> at_start_;
+};
+
+}  // namespace adit_tracker

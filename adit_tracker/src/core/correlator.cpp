@@ -1,0 +1,182 @@
+#include "core/correlator.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <tws_core/angles.h>
+#include <tws_core/sectors.h>
+
+namespace adit_tracker {
+namespace {
+constexpr double kManoeuvreSigmas = 3.0;  // half-width of the region of a hard manoeuvre, standard deviations
+}  // namespace
+
+std::size_t Correlator::smallestGate(const Track& track, double range_difference, double azimuth_difference,
+                                     double& distance) const {
+  if (params_.gates == GateKind::kFixed) {
+    for (std::size_t g = 0; g < kGates; ++g) {
+      const Gate& gate = params_.track_gates[g];
+      if (std::abs(range_difference) > gate.range || std::abs(azimuth_difference) > gate.azimuth) continue;
+      distance = effectiveDistance(gate, range_difference, azimuth_difference);
+      return g;
+    }
+    return kGates;
+  }
+  // The distance is twice the negative log-likelihood, up to a constant: of two tracks, the one that knows better where
+  // its target is wins.
+  const Prediction& p = track.predicted;
+  const double cross_range = p.range * azimuth_difference;
+  const double greatest = params_.gate_sigmas * params_.gate_sigmas;
+  const double squared = p.innovation.mahalanobis(range_difference, cross_range);
+  distance = squared + p.log_volume;
+  if (squared > greatest) {
+    if (p.manoeuvre == 0.0) return kGates;
+    // What only a hard manoeuvre explains comes last of all.
+    const Symmetric2 wide{p.innovation.xx + p.manoeuvre, p.innovation.xy, p.innovation.yy + p.manoeuvre};
+    return wide.mahalanobis(range_difference, cross_range) <= kManoeuvreSigmas * kManoeuvreSigmas ? kGates - 1 : kGates;
+  }
+  std::size_t g = 0;
+  while (g + 1 < kGates && distance > params_.gate_distances[g]) ++g;
+  return g;
+}
+
+/// The half-widths of the largest region.
+Correlator::Reach Correlator::reachOf(const Prediction& p) const {
+  if (params_.gates == GateKind::kFixed) return {params_.track_gates.back().range, params_.track_gates.back().azimuth};
+  const auto halfWidth = [&](double variance) {
+    const double usual = params_.gate_sigmas * std::sqrt(variance);
+    return p.manoeuvre == 0.0 ? usual : std::max(usual, kManoeuvreSigmas * std::sqrt(variance + p.manoeuvre));
+  };
+  return {halfWidth(p.innovation.xx), halfWidth(p.innovation.yy) / p.range};
+}
+
+void Correlator::Frontier::clear(DetectionFile& detections, std::int64_t sector) {
+  azimuth_ = tws::sectorStart(static_cast<int>(sector % tws::kSectors));
+  std::size_t count = 1;
+  double greatest_range = 1.0;
+  for (std::int64_t s = sector - 1; s <= sector + 1; ++s) {
+    const auto& places = detections.at(s).places;
+    count = std::max(count, places.size());
+    if (!places.empty()) greatest_range = std::max(greatest_range, places.back().range);
+  }
+  bin_ = greatest_range / static_cast<double>(count);
+  farthest_.assign(count, -std::numeric_limits<double>::infinity());
+}
+
+std::size_t Correlator::Frontier::binOf(double range) const {
+  return static_cast<std::size_t>(std::clamp(range / bin_, 0.0, static_cast<double>(farthest_.size() - 1)));
+}
+
+void Correlator::Frontier::add(double range, double azimuth) {
+  azimuth = tws::angularDifference(azimuth, azimuth_);
+  double& farthest = farthest_[binOf(range)];
+  // What is behind the site or beside it counts as far off: there, "further clockwise" has no meaning.
+  farthest = std::max(farthest, std::abs(azimuth) < 0.5 * tws::kPi ? azimuth : tws::kTwoPi);
+}
+
+bool Correlator::Frontier::meets(const Prediction& middle, const Reach& reach) const {
+  if (reach.azimuth > 0.5 * tws::kPi) return true;
+  constexpr double kRounding = 1e-6;  // [rad], [m]
+  const double nearest = tws::angularDifference(middle.azimuth, azimuth_) - reach.azimuth - kRounding;
+  const std::size_t last = binOf(middle.range + reach.range + kRounding);
+  for (std::size_t bin = binOf(middle.range - reach.range - kRounding); bin <= last; ++bin) {
+    if (farthest_[bin] >= nearest) return true;
+  }
+  return false;
+}
+
+void Correlator::gather(const Track& track, const Asker& asker, RadarState& radar) {
+  const Prediction& p = track.predicted;
+  Entry entry{asker.slot, asker.order, asker.primary, false, candidates_.size(), 0};
+  const auto consider = [&](Detection& detection, double range_difference, double azimuth_difference) {
+    double distance = 0.0;
+    std::size_t gate = smallestGate(track, range_difference, azimuth_difference, distance);
+    if (gate == kGates) return;
+    // A branch takes what all others leave: else it would live on its parent's detections.
+    if (track.parent != 0 && !track.firm) gate = kGates - 1;
+    candidates_.push_back({&detection, distance, gate});
+    frontier_.add(p.range + range_difference, p.azimuth + azimuth_difference);
+  };
+  for (std::int64_t s = asker.sector - 1; s <= asker.sector + 1; ++s) {
+    radar.detections.at(s).near(p.range, p.azimuth, asker.reach.range, asker.reach.azimuth, consider);
+  }
+  entry.last = candidates_.size();
+  if (entry.last > entry.first) entries_.push_back(entry);
+}
+
+void Correlator::gatherPrimary(const TrackFile& tracks, const std::vector<TrackFile::Slot>& slots, RadarState& radar,
+                               std::int64_t running) {
+  std::size_t order = 0;
+  for (const auto slot : slots) {
+    const Track& track = tracks.at(slot);
+    gather(track, {slot, order++, true, running, reachOf(track.predicted), true}, radar);
+  }
+}
+
+/// Only those secondary tracks matter that may want a candidate of a primary one, or of another one that matters.
+void Correlator::gatherSecondary(const TrackFile& tracks, const std::vector<TrackFile::Slot>& slots, RadarState& radar,
+                                 std::int64_t running, std::size_t site) {
+  const int here = static_cast<int>(running % tws::kSectors);
+  secondary_.clear();
+  for (const auto slot : slots) {
+    const std::int64_t sector = running + tws::sectorDifference(tracks.sector(slot, site), here);
+    secondary_.push_back({slot, secondary_.size(), false, sector, reachOf(tracks.at(slot).predicted), false});
+  }
+  const std::size_t primary = entries_.size();
+  for (bool grown = true; grown;) {
+    grown = false;
+    for (Asker& asker : secondary_) {
+      const Track& track = tracks.at(asker.slot);
+      if (asker.asked || !frontier_.meets(track.predicted, asker.reach)) continue;
+      asker.asked = grown = true;
+      gather(track, asker, radar);
+    }
+  }
+  std::sort(entries_.begin() + static_cast<std::ptrdiff_t>(primary), entries_.end(),
+            [](const Entry& a, const Entry& b) { return a.order < b.order; });
+}
+
+Detection* Correlator::closest(const Entry& entry, std::size_t gate) const {
+  const Candidate* best = nullptr;
+  for (std::size_t i = entry.first; i < entry.last; ++i) {
+    const Candidate& c = candidates_[i];
+    if (c.gate > gate || c.detection->used || c.detection->flagged_in == run_) continue;
+    if (best == nullptr || c.distance < best->distance) best = &c;
+  }
+  return best == nullptr ? nullptr : best->detection;
+}
+
+void Correlator::pass(std::size_t gate) {
+  for (Entry& entry : entries_) {
+    if (entry.correlated) continue;
+    Detection* const detection = closest(entry, gate);
+    if (detection == nullptr) continue;
+    entry.correlated = true;
+    detection->taker = entry.slot;
+    if (entry.primary) {
+      detection->used = true;
+      correlations_.push_back({entry.slot, detection});
+    } else {
+      detection->flagged_in = run_;
+    }
+  }
+}
+
+const std::vector<Correlation>& Correlator::correlate(const TrackFile& tracks,
+                                                      const std::vector<TrackFile::Slot>& primary,
+                                                      const std::vector<TrackFile::Slot>& secondary, RadarState& radar,
+                                                      std::int64_t running, std::size_t site) {
+  ++run_;
+  entries_.clear();
+  candidates_.clear();
+  correlations_.clear();
+  frontier_.clear(radar.detections, running);
+  gatherPrimary(tracks, primary, radar, running);
+  if (candidates_.empty()) return correlations_;
+  gatherSecondary(tracks, secondary, radar, running, site);
+  for (std::size_t gate = 0; gate < kGates; ++gate) pass(gate);
+  return correlations_;
+}
+
+}  // namespace adit_tracker

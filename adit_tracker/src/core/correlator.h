@@ -1,0 +1,110 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "adit_params.h"
+#include "core/radar_state.h"
+#include "core/track_file.h"
+
+namespace adit_tracker {
+
+/// A detection given to a track in the primary sector.
+struct Correlation {
+  TrackFile::Slot slot;
+  Detection* detection;
+};
+
+/// The report's track correlator: several passes through the tracks with growing regions, so that the closest pairs are
+/// made first. Tracks of two sectors ahead take part without being updated: what is closer to them is not taken by a
+/// track in the primary sector; those that cannot matter are passed over. Cost of a sector: its tracks × the detections
+/// in range of the largest region.
+class Correlator {
+ public:
+  explicit Correlator(const AditParams& params) : params_(params) {}
+
+  /// `primary`: tracks in the running sector that may be updated; `secondary`: those of the two sectors ahead; both in
+  /// order of the sector files of the radar's site (firm first). Each track's prediction must be for this radar. The
+  /// detections given away are marked as used.
+  const std::vector<Correlation>& correlate(const TrackFile& tracks, const std::vector<TrackFile::Slot>& primary,
+                                            const std::vector<TrackFile::Slot>& secondary, RadarState& radar,
+                                            std::int64_t running, std::size_t site = 0);
+
+  /// Of the last run: calls `take(slot)` for each secondary track in whose region lay detections, but none was left for
+  /// it.
+  template <class Take>
+  void forEachSecondaryLeftOut(const Take& take) const {
+    for (const Entry& entry : entries_) {
+      if (!entry.primary && !entry.correlated) take(entry.slot);
+    }
+  }
+  /// Was the detection given to a track, in the last run or before it?
+  bool isTaken(const Detection& detection) const {
+    return detection.taker != Detection::kNoTaker && (detection.used || detection.flagged_in == run_);
+  }
+
+ private:
+  struct Candidate {
+    Detection* detection;
+    double distance;
+    std::size_t gate;  // the smallest region that holds it
+  };
+  struct Reach {
+    double range, azimuth;
+  };
+  /// A track and its largest region.
+  struct Asker {
+    TrackFile::Slot slot;
+    std::size_t order;  // who asks first
+    bool primary;
+    std::int64_t sector;  // running number
+    Reach reach;
+    bool asked;
+  };
+  struct Entry {
+    TrackFile::Slot slot;
+    std::size_t order;
+    bool primary;
+    bool correlated;
+    std::size_t first, last;  // its candidates
+  };
+
+  /// How far clockwise the candidates lie, by range.
+  class Frontier {
+   public:
+    /// For the sectors around this one, whose detections tell how many bins are worth while.
+    void clear(DetectionFile& detections, std::int64_t sector);
+    void add(double range, double azimuth);
+    /// Might a candidate be in this region? Never no when there is one.
+    bool meets(const Prediction& middle, const Reach& reach) const;
+
+   private:
+    std::size_t binOf(double range) const;
+
+    double azimuth_ = 0.0;  // counted from here [rad]
+    double bin_ = 1.0;      // [m]
+    std::vector<double> farthest_;
+  };
+
+  Reach reachOf(const Prediction& prediction) const;
+  void gather(const Track& track, const Asker& asker, RadarState& radar);
+  void gatherPrimary(const TrackFile& tracks, const std::vector<TrackFile::Slot>& slots, RadarState& radar,
+                     std::int64_t running);
+  void gatherSecondary(const TrackFile& tracks, const std::vector<TrackFile::Slot>& slots, RadarState& radar,
+                       std::int64_t running, std::size_t site);
+  /// The smallest region that holds the detection, and its distance; kGates: none.
+  std::size_t smallestGate(const Track& track, double range_difference, double azimuth_difference,
+                           double& distance) const;
+  void pass(std::size_t gate);
+  Detection* closest(const Entry& entry, std::size_t gate) const;
+
+  AditParams params_;
+  std::uint64_t run_ = 0;  // flags of earlier runs do not count
+  Frontier frontier_;
+  std::vector<Asker> secondary_;
+  std::vector<Entry> entries_;
+  std::vector<Candidate> candidates_;
+  std::vector<Correlation> correlations_;
+};
+
+}  // namespace adit_tracker

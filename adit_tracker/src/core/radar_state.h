@@ -1,0 +1,65 @@
+#pragma once
+
+#include <cstddef>
+#include <deque>
+
+#include "adit_params.h"
+#include "core/antenna.h"
+#include "core/detection_file.h"
+#include "core/site_frame.h"
+
+namespace adit_tracker {
+
+/// What a radar's plots have shown of its errors and of its false plots. Everything the tracker learns about a radar is
+/// here.
+class RadarQuality {
+ public:
+  RadarQuality(const RadarParams& params, bool learn);
+
+  double rangeSigma(const tws::Plot& plot) const;
+  double azimuthSigma(const tws::Plot& plot) const;
+  double rangeSigma() const { return range_sigma_; }
+  double azimuthSigma() const { return azimuth_sigma_; }
+
+  /// A firm track was updated: innovation in range and cross-range, in standard deviations. Moves the learned sigmas so
+  /// that about half of all innovations stay within the median of the normal distribution; that is hardly touched by
+  /// manoeuvres.
+  void learnErrors(double range_deviation, double cross_range_deviation);
+
+  /// A plot has come, at that range: the radar sees at least so far.
+  void saw(double range);
+  /// A sector ended with so many plots that started something new.
+  void learnFalsePlots(std::size_t unused);
+
+  /// The farthest plot so far, at least 10 km [m].
+  double greatestRange() const { return greatest_range_; }
+  /// Expected false plots a scan.
+  double falsePlots() const { return false_plots_; }
+  /// Their density over the area that the radar covers [1/m²].
+  double falseDensity() const;
+
+ private:
+  void setGain(double gain);
+
+  double range_sigma_, azimuth_sigma_;
+  double least_range_sigma_, least_azimuth_sigma_, greatest_range_sigma_, greatest_azimuth_sigma_;
+  bool learn_;
+  double gain_ = 0.0, grown_ = 1.0, shrunk_ = 1.0;
+  double greatest_range_ = 10e3;
+  double false_plots_ = 5.0;
+};
+
+/// One radar as the tracker sees it.
+struct RadarState {
+  RadarState(const RadarParams& params, bool learn) : antenna(params.period), quality(params, learn) {}
+
+  Antenna antenna;
+  DetectionFile detections;
+  RadarQuality quality;
+  std::deque<tws::RadarSector> waiting;  // sectors that have come before their turn
+  SiteFrame frame;
+  std::size_t site = 0;
+  bool joined = true;  // its site has sectors already
+};
+
+}  // namespace adit_tracker

@@ -1,0 +1,82 @@
+#include "core/track_life.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace adit_tracker {
+namespace {
+
+constexpr float kGreatestChance = 0.99999F;
+// How fast a track learns its own chance of detection, and between what limits.
+constexpr float kDetectionGain = 0.1F;
+constexpr float kLeastDetection = 0.3F, kGreatestDetection = 0.97F;
+
+void learnDetection(float& p, bool detected) {
+  p = std::clamp(p + kDetectionGain * ((detected ? 1.0F : 0.0F) - p), kLeastDetection, kGreatestDetection);
+}
+
+/// Bayes: the chance after evidence with this ratio of likelihoods.
+float weighed(float chance, double ratio) {
+  const double odds = ratio * chance / (1.0 - chance);
+  return std::min(kGreatestChance, static_cast<float>(odds / (1.0 + odds)));
+}
+
+}  // namespace
+
+void TrackJudge::started(Track& track, const RadarQuality& quality) const {
+  const ExistenceParams& e = params_.existence;
+  track.existence = track.first_existence = static_cast<float>(e.new_targets / (e.new_targets + quality.falsePlots()));
+  track.detection_probability.fill(static_cast<float>(e.detection_probability));
+  track.last_illumination = track.last_update;
+}
+
+/// The target may have gone in the meantime.
+void TrackJudge::age(Track& track, double time) const {
+  const double elapsed = std::max(0.0, time - track.last_illumination);
+  track.existence *= static_cast<float>(std::exp(-elapsed / params_.existence.survival_time));
+  track.last_illumination = std::max(track.last_illumination, time);
+}
+
+void TrackJudge::hidden(Track& track, double time) const {
+  if (params_.life == TrackLife::kExistence) age(track, time);
+}
+
+bool TrackJudge::deservesFirm(const Track& track) const {
+  const bool branch = track.parent != 0;
+  if (params_.life == TrackLife::kTimers) {
+    return branch ? track.updates >= params_.parting.firm_updates
+                  : track.last_update - track.first_time > params_.timers.firm_time;
+  }
+  const ExistenceParams& e = params_.existence;
+  return track.existence > e.firm_probability &&
+         track.updates >= (branch ? params_.parting.firm_updates : e.firm_updates) &&
+         track.fixed.moving_evidence > (branch ? params_.parting.moving_evidence : e.moving_evidence);
+}
+
+bool TrackJudge::updated(Track& track, std::size_t radar, double log_likelihood, const RadarQuality& quality,
+                         bool may_become_firm) const {
+  if (params_.life == TrackLife::kExistence) {
+    age(track, track.last_update);
+    track.existence = weighed(track.existence,
+                              track.detection_probability[radar] * std::exp(log_likelihood) / quality.falseDensity());
+    learnDetection(track.detection_probability[radar], true);
+  }
+  if (track.firm || !may_become_firm || !deservesFirm(track)) return false;
+  track.firm = true;
+  return true;
+}
+
+bool TrackJudge::missed(Track& track, std::size_t radar, double time) const {
+  if (params_.life == TrackLife::kTimers) {
+    const double kept = track.firm ? params_.timers.drop_time : params_.timers.tentative_drop_time;
+    return time - track.last_update > kept;
+  }
+  age(track, time);
+  track.existence = weighed(track.existence, 1.0 - track.detection_probability[radar]);
+  learnDetection(track.detection_probability[radar], false);
+  const ExistenceParams& e = params_.existence;
+  const double least = track.firm ? e.drop_probability : e.tentative_drop_fraction * track.first_existence;
+  return track.existence < least;
+}
+
+}  // namespace adit_tracker

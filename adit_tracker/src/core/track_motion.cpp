@@ -1,0 +1,298 @@
+#include "core/track_motion.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <tws_core/angles.h>
+
+namespace adit_tracker {
+namespace {
+
+double rangeOf(double x, double y) {
+  return std::max(std::sqrt(x * x + y * y), 1.0);  // at the site itself rates have no meaning
+}
+
+double azimuthOf(double x, double y) { return tws::wrapTwoPi(std::atan2(x, y)); }
+
+Kinematics fromPlanar(const PlanarState& s, double time) {
+  Kinematics k;
+  k.time = time;
+  k.x = s.x;
+  k.y = s.y;
+  k.vx = s.vx;
+  k.vy = s.vy;
+  k.range = rangeOf(s.x, s.y);
+  k.azimuth = azimuthOf(s.x, s.y);
+  k.range_rate = (s.x * s.vx + s.y * s.vy) / k.range;
+  k.azimuth_rate = (s.y * s.vx - s.x * s.vy) / (k.range * k.range);
+  return k;
+}
+
+Kinematics fromPolar(double range, double azimuth, double range_rate, double azimuth_rate, double time) {
+  Kinematics k;
+  k.time = time;
+  k.range = std::max(range, 1.0);
+  k.azimuth = tws::wrapTwoPi(azimuth);
+  k.range_rate = range_rate;
+  k.azimuth_rate = azimuth_rate;
+  const double s = std::sin(k.azimuth), c = std::cos(k.azimuth);
+  k.x = k.range * s;
+  k.y = k.range * c;
+  k.vx = range_rate * s + k.range * azimuth_rate * c;
+  k.vy = range_rate * c - k.range * azimuth_rate * s;
+  return k;
+}
+
+/// The covariance of a position in range and cross-range, as seen from the origin.
+Symmetric2 inPolar(const PlanarPosition& position, double range) {
+  const double s = position.x / range, c = position.y / range;
+  const Symmetric2& p = position.covariance;
+  return {p.xx * s * s + 2.0 * p.xy * s * c + p.yy * c * c, (p.xx - p.yy) * s * c + p.xy * (c * c - s * s),
+          p.xx * c * c - 2.0 * p.xy * s * c + p.yy * s * s};
+}
+
+/// Log-likelihood of a measurement under "it does not move", and the place improved by it.
+double updatePlace(FixedPlace& place, const PlanarPosition& z) {
+  const Symmetric2 s{place.covariance.xx + z.covariance.xx, place.covariance.xy + z.covariance.xy,
+                     place.covariance.yy + z.covariance.yy};
+  const double dx = z.x - place.x, dy = z.y - place.y, determinant = s.determinant();
+  const double log_likelihood = -0.5 * (s.mahalanobis(dx, dy) + std::log(determinant)) - std::log(2.0 * tws::kPi);
+  const Symmetric2 w{s.yy / determinant, -s.xy / determinant, s.xx / determinant};
+  const Symmetric2 p = place.covariance;
+  const double k[2][2] = {{p.xx * w.xx + p.xy * w.xy, p.xx * w.xy + p.xy * w.yy},
+                          {p.xy * w.xx + p.yy * w.xy, p.xy * w.xy + p.yy * w.yy}};
+  place.x += k[0][0] * dx + k[0][1] * dy;
+  place.y += k[1][0] * dx + k[1][1] * dy;
+  place.covariance = {p.xx - k[0][0] * p.xx - k[0][1] * p.xy, p.xy - k[0][0] * p.xy - k[0][1] * p.yy,
+                      p.yy - k[1][0] * p.xy - k[1][1] * p.yy};
+  return log_likelihood;
+}
+
+/// Moves all that is known of a track's place.
+void shift(Track& track, const PlanarPosition& by) {
+  std::get<TurningFilter>(track.filter).shift(by.x, by.y);
+  track.fixed.x += by.x;
+  track.fixed.y += by.y;
+}
+
+}  // namespace
+
+TrackMotion::TrackMotion(const AditParams& params) : params_(params), alpha_beta_(params.alpha_beta) {}
+
+void TrackMotion::join(const std::vector<SiteFrame>& frames) {
+  frames_ = frames;
+  joined_ = true;
+  params_.turning.sites.clear();
+  for (const SiteFrame& frame : frames) params_.turning.sites.push_back({frame.x, frame.y});
+}
+
+void TrackMotion::guessHeight(Track& track) const {
+  const Kinematics& k = track.smoothed;
+  HeightGuess& guess = track.height_guess;
+  guess.x_per_squared = static_cast<float>(-0.5 * k.x / (k.range * k.range));
+  guess.y_per_squared = static_cast<float>(-0.5 * k.y / (k.range * k.range));
+  const HeightGuess first = HeightGuess::below(params_.turning.assumed_height, k.range);
+  guess.variance = first.variance;
+  shift(track, guess.moveTo(first.squared));
+  track.smoothed = fromPlanar(std::get<TurningFilter>(track.filter).mean(), k.time);
+}
+
+void TrackMotion::relocate(Track& track, double x, double y) const {
+  shift(track, {x - track.smoothed.x, y - track.smoothed.y, {}});
+  track.smoothed = fromPlanar(std::get<TurningFilter>(track.filter).mean(), track.smoothed.time);
+}
+
+void TrackMotion::start(Track& track, const tws::Plot& plot, const RadarQuality& quality, std::size_t radar) const {
+  track.first_time = track.last_update = plot.time;
+  track.updates = 1;
+  track.smoothed = fromPolar(plot.range, plot.azimuth, 0.0, 0.0, plot.time);
+  if (params_.filter == FilterKind::kAlphaBeta) {
+    track.filter = PolarFilter{alpha_beta_.start(plot.range), alpha_beta_.start(plot.azimuth)};
+    return;
+  }
+  PlanarPosition z = planarMeasurement(plot.range, plot.azimuth, quality.rangeSigma(plot), quality.azimuthSigma(plot));
+  if (joined_) {
+    track.height_guess = HeightGuess::below(params_.turning.assumed_height, plot.range);
+    z = track.height_guess.begin(plot, quality.rangeSigma(plot), quality.azimuthSigma(plot), frames_[radar]);
+    PlanarState at_rest;
+    at_rest.x = z.x;
+    at_rest.y = z.y;
+    track.smoothed = fromPlanar(at_rest, plot.time);
+  }
+  track.filter.emplace<TurningFilter>().start(z, params_.turning);
+  track.fixed = {z.x, z.y, z.covariance, 0.0};
+}
+
+void TrackMotion::branch(Track& track, const Track& parent, const Parting& parting, std::size_t radar) const {
+  const Kinematics its = at(parent, track.smoothed.time).kinematics;
+  Kinematics& own = track.smoothed;
+  if (auto* polar = std::get_if<PolarFilter>(&track.filter)) {
+    polar->range.velocity = its.range_rate + parting.rate_along;
+    polar->azimuth.velocity = its.azimuth_rate + parting.rate_across / own.range;
+    own = fromPolar(own.range, own.azimuth, polar->range.velocity, polar->azimuth.velocity, own.time);
+    return;
+  }
+  if (joined_) {  // it flies as high
+    shift(track, track.height_guess.moveTo(parent.height_guess.squared));
+    track.height_guess.variance = parent.height_guess.variance;
+  }
+  const double azimuth = joined_ ? frames_[radar].onPlane(parting.azimuth) : parting.azimuth;
+  const double s = std::sin(azimuth), c = std::cos(azimuth);
+  const double along = parting.sigma_along * parting.sigma_along, across = parting.sigma_across * parting.sigma_across;
+  TurningFilter& filter = std::get<TurningFilter>(track.filter);
+  filter.setVelocity(its.vx + parting.rate_along * s + parting.rate_across * c,
+                     its.vy + parting.rate_along * c - parting.rate_across * s,
+                     {along * s * s + across * c * c, (along - across) * s * c, along * c * c + across * s * s});
+  own = fromPlanar(filter.mean(), own.time);
+}
+
+double TrackMotion::update(Track& track, const tws::Plot& plot, const RadarQuality& quality, std::size_t radar) const {
+  ++track.updates;
+  double log_likelihood = 0.0;
+  if (params_.filter == FilterKind::kAlphaBeta) {
+    updatePolar(track, plot);
+  } else {
+    log_likelihood = joined_ ? updateJoined(track, plot, quality, radar) : updateTurning(track, plot, quality);
+  }
+  track.last_update = std::max(track.last_update, plot.time);
+  return log_likelihood;
+}
+
+void TrackMotion::updatePolar(Track& track, const tws::Plot& plot) const {
+  PolarFilter& filter = std::get<PolarFilter>(track.filter);
+  // Near a crossing of two beams the order of plots can be inverted; the second one then has T1 = 0 and no weight.
+  const double T1 = std::max(0.0, plot.time - track.smoothed.time);
+  alpha_beta_.update(filter.range, plot.range - tws::AdaptiveAlphaBeta::predict(filter.range, T1), T1);
+  const double azimuth_error =
+      tws::angularDifference(plot.azimuth, tws::AdaptiveAlphaBeta::predict(filter.azimuth, T1));
+  alpha_beta_.update(filter.azimuth, azimuth_error, T1);
+  filter.azimuth.position = tws::wrapTwoPi(filter.azimuth.position);
+  track.smoothed = fromPolar(filter.range.position, filter.azimuth.position, filter.range.velocity,
+                             filter.azimuth.velocity, track.smoothed.time + T1);
+}
+
+double TrackMotion::updateTurning(Track& track, const tws::Plot& plot, const RadarQuality& quality) const {
+  TurningFilter& filter = std::get<TurningFilter>(track.filter);
+  const double dt = std::max(0.0, plot.time - track.smoothed.time);
+  const PlanarPosition z =
+      planarMeasurement(plot.range, plot.azimuth, quality.rangeSigma(plot), quality.azimuthSigma(plot));
+  const double log_likelihood = filter.update(z, dt, params_.turning);
+  if (!track.firm) track.fixed.moving_evidence += log_likelihood - updatePlace(track.fixed, z);
+  track.smoothed = fromPlanar(filter.mean(), track.smoothed.time + dt);
+  return log_likelihood;
+}
+
+/// The same, where another radar may stand elsewhere.
+double TrackMotion::updateJoined(Track& track, const tws::Plot& plot, const RadarQuality& quality,
+                                 std::size_t radar) const {
+  TurningFilter& filter = std::get<TurningFilter>(track.filter);
+  HeightGuess& guess = track.height_guess;
+  const double dt = std::max(0.0, plot.time - track.smoothed.time);
+  guess.age(dt, params_.turning.assumed_height);
+  shift(track, guess.flatten(plot.range));
+  const GuessedPlace z = guess.placeOf(plot, quality.rangeSigma(plot), quality.azimuthSigma(plot), frames_[radar]);
+  const PlanarPosition wider = guess.against(z), predicted = filter.predictPosition(dt, params_.turning);
+  const double log_likelihood = filter.update(wider, dt, params_.turning);
+  if (!track.firm) track.fixed.moving_evidence += log_likelihood - updatePlace(track.fixed, wider);
+  shift(track, guess.learn(z, predicted, params_.turning.assumed_height));
+  track.smoothed = fromPlanar(filter.mean(), track.smoothed.time + dt);
+  return log_likelihood;
+}
+
+Seen TrackMotion::seenBy(const Track& track, std::size_t radar, double time) const {
+  const Kinematics& k = track.smoothed;
+  if (!joined_) return {k.range, k.azimuth, k.azimuth_rate};
+  const double dt = time - k.time;
+  const PlanarView view = frames_[radar].view(k.x + k.vx * dt, k.y + k.vy * dt);
+  return {track.height_guess.slantRange(view.distance), view.azimuth,
+          (view.north * k.vx - view.east * k.vy) / (view.distance * view.distance)};
+}
+
+double TrackMotion::squaredDistance(const Track& track, const tws::Plot& plot, double range_sigma, double azimuth_sigma,
+                                    const SiteFrame& site) const {
+  const double dt = plot.time - track.smoothed.time;
+  // Of one site, heights are alike; and h² of 0 lays slant range on the plane.
+  const HeightGuess& guess = track.height_guess;
+  const PlanarPosition z = guess.against(guess.placeOf(plot, range_sigma, azimuth_sigma, site));
+  PlanarPosition there;
+  if (const auto* turning = std::get_if<TurningFilter>(&track.filter)) {
+    there = turning->predictPosition(dt, params_.turning);
+  } else {
+    // Without a covariance the track counts as good as the plot itself.
+    const Kinematics k = at(track, plot.time).kinematics;
+    there = {k.x, k.y, z.covariance};
+  }
+  const Symmetric2 S{there.covariance.xx + z.covariance.xx, there.covariance.xy + z.covariance.xy,
+                     there.covariance.yy + z.covariance.yy};
+  return S.mahalanobis(z.x - there.x, z.y - there.y);
+}
+
+Extrapolation TrackMotion::at(const Track& track, double time) const {
+  const double dt = time - track.smoothed.time;
+  if (const auto* polar = std::get_if<PolarFilter>(&track.filter)) {
+    return {fromPolar(polar->range.position + polar->range.velocity * dt,
+                      polar->azimuth.position + polar->azimuth.velocity * dt, polar->range.velocity,
+                      polar->azimuth.velocity, time),
+            false, PlanarState{}};
+  }
+  const PlanarState planar = std::get<TurningFilter>(track.filter).predict(dt, params_.turning);
+  Extrapolation there{fromPlanar(planar, time), true, planar};
+  if (joined_) {
+    Kinematics& k = there.kinematics;
+    const double slant = track.height_guess.slantRange(k.range);
+    k.range_rate *= k.range / slant;
+    k.range = slant;
+    there.planar.position = track.height_guess.widened(there.planar.position);
+  }
+  return there;
+}
+
+void TrackMotion::predict(Track& track, std::size_t radar, double time, const RadarQuality& quality) const {
+  const double dt = time - track.smoothed.time;
+  Prediction& p = track.predicted;
+  p.time = time;
+  p.radar = static_cast<std::uint32_t>(radar);
+  if (const auto* polar = std::get_if<PolarFilter>(&track.filter)) {
+    p.range = std::max(polar->range.position + polar->range.velocity * dt, 1.0);
+    p.azimuth = tws::wrapTwoPi(polar->azimuth.position + polar->azimuth.velocity * dt);
+    return;
+  }
+  const PlanarPosition there = std::get<TurningFilter>(track.filter).predictPosition(dt, params_.turning);
+  if (joined_) {
+    predictJoined(track, there, quality);
+  } else {
+    p.range = rangeOf(there.x, there.y);
+    p.azimuth = azimuthOf(there.x, there.y);
+    p.innovation = inPolar(there, p.range);
+  }
+  const double along = quality.rangeSigma() * quality.rangeSigma();
+  const double cross = p.range * p.range * quality.azimuthSigma() * quality.azimuthSigma();
+  p.innovation.xx += along;
+  p.innovation.yy += cross;
+  // Hardly any manoeuvre stays hard for longer; without the limit a coasting track would take any other target's plots.
+  constexpr double kLongestManoeuvre = 8.0;  // [s]
+  const double manoeuvre = TurningFilter::manoeuvreSigma(std::min(dt, kLongestManoeuvre), params_.turning);
+  p.manoeuvre = manoeuvre * manoeuvre;
+  p.log_volume = std::log(p.innovation.determinant() / (along * cross));
+}
+
+/// The place in the predicted radar's slant range and azimuth, with the covariance of the innovation but for the
+/// radar's own errors.
+void TrackMotion::predictJoined(Track& track, const PlanarPosition& there, const RadarQuality& quality) const {
+  Prediction& p = track.predicted;
+  const HeightGuess& guess = track.height_guess;
+  const PlanarView view = frames_[p.radar].view(there.x, there.y);
+  p.range = guess.slantRange(view.distance);
+  p.azimuth = view.azimuth;
+  const double ground = std::max(view.distance, 0.5 * p.range);
+  const double slope = -0.5 / (ground * ground);
+  const PlanarPosition wider = guess.against({there, slope * view.east, slope * view.north});
+  const Symmetric2 on_plane = inPolar({view.east, view.north, wider.covariance}, view.distance);
+  const double known = inPolar({view.east, view.north, there.covariance}, view.distance).xx;
+  const double flatter = ground / p.range;
+  p.innovation = {on_plane.xx * flatter * flatter, on_plane.xy, on_plane.yy / (flatter * flatter)};
+  constexpr double kMuch = 0.1;
+  p.vague_height = (on_plane.xx - known) > kMuch * quality.rangeSigma() * quality.rangeSigma();
+}
+
+}  // namespace adit_tracker

@@ -1,0 +1,79 @@
+#pragma once
+
+#include "adit_params.h"
+#include "core/radar_state.h"
+#include "core/track.h"
+
+namespace adit_tracker {
+
+/// Position, velocity and, with the turning filter, covariance of (x, y, vx, vy) at one instant.
+struct Extrapolation {
+  Kinematics kinematics;
+  bool has_covariance = false;
+  PlanarState planar;
+};
+
+/// A target that has parted from another one, as a radar sees it.
+struct Parting {
+  std::uint32_t parent;              // slot of the other's track
+  double azimuth;                    // of the beam [rad]
+  double along, across;              // how far from the other, along the beam and clockwise across it [m]
+  double rate_along, rate_across;    // how fast they part [m/s],
+  double sigma_along, sigma_across;  // the standard deviations of that
+  double chance;                     // that there is such a target: the detection may be a false plot
+};
+
+/// How a radar sees a track.
+struct Seen {
+  double range, azimuth, azimuth_rate;  // [m], [rad], [rad/s]
+};
+
+/// How tracks move: starts, corrects and extrapolates them by the filter that the parameters choose.
+class TrackMotion {
+ public:
+  explicit TrackMotion(const AditParams& params);
+
+  /// Where the radars stand, one frame a radar, from now on at more than one site. Needs the turning filter.
+  void join(const std::vector<SiteFrame>& frames);
+  bool joined() const { return joined_; }
+  /// Of a track that was started when there was one site.
+  void guessHeight(Track& track) const;
+
+  /// Moves a track that has just been started to a place on the plane [m].
+  void relocate(Track& track, double x, double y) const;
+
+  /// The track's first detection: at rest, where the plot is (section "Track Initiation").
+  void start(Track& track, const tws::Plot& plot, const RadarQuality& quality, std::size_t radar = 0) const;
+
+  /// Corrects by a detection. Returns the natural logarithm of its likelihood [1/m²]; 0 with the α-β filter.
+  double update(Track& track, const tws::Plot& plot, const RadarQuality& quality, std::size_t radar = 0) const;
+
+  /// Gives a track that has just started the velocity of another one and what they differ by.
+  void branch(Track& track, const Track& parent, const Parting& parting, std::size_t radar) const;
+
+  /// Where the track is at `time`, which may be before the latest update by a little.
+  Extrapolation at(const Track& track, double time) const;
+
+  /// Slant range and azimuth of the track's latest state as the radar sees it.
+  Seen seenBy(const Track& track, std::size_t radar, double time) const;
+
+  /// Of a plot of another sensor from the track at the plot's time: in standard deviations of both, squared.
+  double squaredDistance(const Track& track, const tws::Plot& plot, double range_sigma, double azimuth_sigma,
+                         const SiteFrame& site) const;
+
+  /// Sets track.predicted for an illumination by a radar.
+  void predict(Track& track, std::size_t radar, double time, const RadarQuality& quality) const;
+
+ private:
+  void updatePolar(Track& track, const tws::Plot& plot) const;
+  double updateTurning(Track& track, const tws::Plot& plot, const RadarQuality& quality) const;
+  double updateJoined(Track& track, const tws::Plot& plot, const RadarQuality& quality, std::size_t radar) const;
+  void predictJoined(Track& track, const PlanarPosition& there, const RadarQuality& quality) const;
+
+  AditParams params_;
+  std::vector<SiteFrame> frames_;  // by radar, when they are at several sites
+  bool joined_ = false;            // are they at several sites?
+  tws::AdaptiveAlphaBeta alpha_beta_;
+};
+
+}  // namespace adit_tracker

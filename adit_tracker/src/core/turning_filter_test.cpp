@@ -1,0 +1,332 @@
+#include "core/turning_filter.h"
+
+#include <gtest/gtest.h>
+
+#include <tws_core/random_test_helpers.h>
+
+#include "core/dense_imm_test_helpers.h"
+
+namespace adit_tracker {
+namespace {
+
+PlanarPosition randomMeasurement(std::mt19937_64& generator, double x, double y) {
+  const double a = tws::uniform(generator, 50.0, 500.0), b = tws::uniform(generator, 50.0, 500.0);
+  PlanarPosition z;
+  z.covariance = {a * a, tws::uniform(generator, -0.8, 0.8) * a * b, b * b};
+  std::normal_distribution<double> normal;
+  const double u = normal(generator), v = normal(generator);
+  const Eigen::Vector2d error = denseOf(z.covariance).llt().matrixL() * Eigen::Vector2d(u, v);
+  z.x = x + error[0];
+  z.y = y + error[1];
+  return z;
+}
+
+void expectNear(const Matrix4& a, const Matrix4& b, double relative) {
+  EXPECT_LT((a - b).norm(), relative * a.norm()) << a << "\n\n" << b;
+}
+
+// If this fails, every track of the set `default` is wrong: position, speed, gate, chance of existence.
+TEST(TurningFilter, DoesWhatTheTextbookDoesWithDenseMatrices) {
+  auto generator = tws::seededGenerator();
+  for (int run = 0; run < 50; ++run) {
+    DenseImm dense;
+    dense.params.turn_rate = tws::uniform(generator, 0.005, 0.4);
+    dense.params.turning_time = tws::uniform(generator, 5.0, 100.0);
+    TurningFilter filter;
+    double x = 40e3, y = -30e3;
+    const PlanarPosition first = randomMeasurement(generator, x, y);
+    filter.start(first, dense.params);
+    dense.start(first);
+    for (int k = 0; k < 20; ++k) {
+      const double dt = tws::uniform(generator, 0.0, 8.0);
+      x += 150.0 * dt;
+      y -= 80.0 * dt;
+      const PlanarPosition z = randomMeasurement(generator, x, y);
+      const double log_likelihood = filter.update(z, dt, dense.params);
+      ASSERT_NEAR(log_likelihood, dense.update(z, dt), 1e-6);
+      ASSERT_NEAR(filter.straightProbability(), dense.mu[0], 1e-6);
+      ASSERT_LT((meanOf(filter.mean()) - dense.mean()).norm(), 1e-4);
+      expectNear(dense.covariance(), denseOf(filter.predict(0.0, dense.params)), 1e-6);
+    }
+    DenseImm later = dense;
+    for (int i = 0; i < DenseImm::kModels; ++i) later.move(i, 7.0);
+    const PlanarState predicted = filter.predict(7.0, dense.params);
+    const PlanarPosition alone = filter.predictPosition(7.0, dense.params);
+    EXPECT_NEAR(alone.x, predicted.x, 1e-6);
+    EXPECT_NEAR(alone.y, predicted.y, 1e-6);
+    EXPECT_LT((denseOf(alone.covariance) - denseOf(predicted.position)).norm(),
+              1e-9 * denseOf(predicted.position).norm());
+    EXPECT_LT((meanOf(predicted) - later.mean()).norm(), 1e-4);
+    expectNear(later.covariance(), denseOf(predicted), 1e-6);
+  }
+}
+
+// If this fails, a target in straight flight is followed worse than one plain Kalman filter would.
+TEST(TurningFilter, IsOneKalmanFilterWhenNothingEverTurns) {
+  auto generator = tws::seededGenerator();
+  TurningFilterParams params = textbook();
+  params.straight_time = 1e9;
+  params.turning_time = 1e-6;
+  TurningFilter filter;
+  const PlanarPosition first = randomMeasurement(generator, 10e3, 20e3);
+  filter.start(first, params);
+  Vector4 x(first.x, first.y, 0.0, 0.0);
+  Matrix4 p = Matrix4::Identity() * params.speed_sigma * params.speed_sigma;
+  p.topLeftCorner<2, 2>() = denseOf(first.covariance);
+  Matrix24 h = Matrix24::Zero();
+  h(0, 0) = h(1, 1) = 1.0;
+  for (int k = 1; k < 20; ++k) {
+    const PlanarPosition z = randomMeasurement(generator, 10e3 + 600.0 * k, 20e3);
+    filter.update(z, 4.0, params);
+    const Matrix4 f = transition(4.0, 0.0);
+    x = f * x;
+    p = f * p * f.transpose() + whiteAcceleration(4.0, params.straight_acceleration);
+    const Eigen::Matrix2d s = h * p * h.transpose() + denseOf(z.covariance);
+    const Eigen::Matrix<double, 4, 2> gain = p * h.transpose() * s.inverse();
+    x += gain * (Eigen::Vector2d(z.x, z.y) - h * x);
+    p = (Matrix4::Identity() - gain * h) * p;
+    // A turn begins within 4 s with a chance of 4e-9; even an innovation of four sigmas leaves it below 1e-4.
+    EXPECT_LT((meanOf(filter.mean()) - x).norm(), 0.1);
+    EXPECT_GT(filter.straightProbability(), 0.9999);
+    expectNear(p, denseOf(filter.predict(0.0, params)), 1e-3);
+  }
+}
+
+/// One path by small steps: white acceleration and a turn rate.
+Vector4 walk(Vector4 s, double dt, double turn_rate, double density, std::mt19937_64& generator) {
+  constexpr int kSteps = 100;
+  const double step = dt / kSteps;
+  std::normal_distribution<double> kick(0.0, std::sqrt(density * step));
+  const double c = std::cos(turn_rate * step), sine = std::sin(turn_rate * step);
+  for (int i = 0; i < kSteps; ++i) {
+    const double vx = s[2], vy = s[3];
+    s[2] = c * vx - sine * vy + kick(generator);
+    s[3] = sine * vx + c * vy + kick(generator);
+    s[0] += 0.5 * step * (vx + s[2]);
+    s[1] += 0.5 * step * (vy + s[3]);
+  }
+  return s;
+}
+
+// If this fails, gates are too narrow (tracks lost) or too wide (tracks stolen).
+TEST(TurningFilter, PredictsTheSpreadOfSimulatedFlights) {
+  auto generator = tws::seededGenerator();
+  constexpr int kFlights = 40000;
+  constexpr double kTime = 6.0;
+  const TurningFilterParams params = textbook();
+  PlanarPosition z;
+  z.x = 1000.0;
+  z.covariance = {90000.0, 20000.0, 40000.0};
+  TurningFilter filter;
+  filter.start(z, params);
+  const Eigen::Matrix2d root = denseOf(z.covariance).llt().matrixL();
+  std::normal_distribution<double> normal;
+  const double straight = params.straight_time / (params.straight_time + params.turning_time);
+  Matrix4 second = Matrix4::Zero();
+  Vector4 first = Vector4::Zero();
+  for (int i = 0; i < kFlights; ++i) {
+    const Eigen::Vector2d position =
+        Eigen::Vector2d(z.x, z.y) + root * Eigen::Vector2d(normal(generator), normal(generator));
+    const Vector4 begin(position[0], position[1], params.speed_sigma * normal(generator),
+                        params.speed_sigma * normal(generator));
+    const double u = tws::uniform(generator, 0.0, 1.0);
+    const double rate = u < straight ? 0.0 : (u < 0.5 * (1.0 + straight) ? params.turn_rate : -params.turn_rate);
+    const Vector4 end =
+        walk(begin, kTime, rate, rate == 0.0 ? params.straight_acceleration : params.turning_acceleration, generator);
+    first += end / kFlights;
+    second += end * end.transpose() / kFlights;
+  }
+  // The standard error of a variance is √(2/40000) = 0.7 %, of all of them together in this norm about the same.
+  expectNear(second - first * first.transpose(), denseOf(filter.predict(kTime, params)), 0.03);
+}
+
+// If this fails, the chance of existence weighs evidence by a wrong scale, and false tracks live or true ones die.
+TEST(TurningFilter, GivesALikelihoodThatSumsUpToOne) {
+  TurningFilterParams params = textbook();
+  params.speed_sigma = 30.0;
+  PlanarPosition z;
+  z.covariance = {10000.0, 3000.0, 20000.0};
+  TurningFilter started;
+  started.start(z, params);
+  constexpr double kCell = 25.0, kReach = 2000.0;
+  double sum = 0.0;
+  for (int i = 0; i < 160; ++i) {
+    for (int j = 0; j < 160; ++j) {
+      TurningFilter filter = started;
+      z.x = -kReach + kCell * i;
+      z.y = -kReach + kCell * j;
+      sum += std::exp(filter.update(z, 5.0, params)) * kCell * kCell;
+    }
+  }
+  EXPECT_NEAR(sum, 1.0, 1e-3);
+}
+
+/// Mean of the normalised squared error of the four state components after some updates, over many flights.
+double meanSquaredError(const TurningFilterParams& params, bool turns, std::mt19937_64& generator) {
+  constexpr int kFlights = 500, kUpdates = 15;
+  constexpr double kStep = 4.0;
+  std::normal_distribution<double> normal;
+  double sum = 0.0;
+  for (int flight = 0; flight < kFlights; ++flight) {
+    Vector4 truth(50e3, 20e3, params.speed_sigma * normal(generator), params.speed_sigma * normal(generator));
+    const double straight = params.straight_time / (params.straight_time + params.turning_time);
+    int model = turns && tws::uniform(generator, 0.0, 1.0) > straight ? 1 : 0;
+    TurningFilter filter;
+    for (int k = 0; k <= kUpdates; ++k) {
+      if (k > 0) {
+        const double u = tws::uniform(generator, 0.0, 1.0);
+        const double change = 1.0 - std::exp(-kStep / (model == 0 ? params.straight_time : params.turning_time));
+        if (turns && u < change) model = model == 0 ? (u < change / 2.0 ? 1 : 2) : 0;
+        const double rate = model == 0 ? 0.0 : (model == 1 ? params.turn_rate : -params.turn_rate);
+        truth = walk(truth, kStep, rate, model == 0 ? params.straight_acceleration : params.turning_acceleration,
+                     generator);
+      }
+      PlanarPosition z;
+      z.x = truth[0] + 100.0 * normal(generator);
+      z.y = truth[1] + 250.0 * normal(generator);
+      z.covariance = {1e4, 0.0, 62500.0};
+      if (k == 0) {
+        filter.start(z, params);
+      } else {
+        filter.update(z, kStep, params);
+      }
+    }
+    const PlanarState now = filter.predict(0.0, params);
+    const Vector4 error = truth - meanOf(now);
+    sum += error.dot(denseOf(now).inverse() * error) / kFlights;
+  }
+  return sum;
+}
+
+// If this fails, the covariance that consumers of the tracks see is a lie for straight flights.
+TEST(TurningFilter, KnowsItsOwnErrorInStraightFlight) {
+  auto generator = tws::seededGenerator();
+  TurningFilterParams params = textbook();
+  params.straight_time = 1e6;
+  params.turning_time = 0.1;
+  // χ² with 4 · 500 degrees of freedom, divided by 500: 4 ± 0.126; four standard deviations.
+  EXPECT_NEAR(meanSquaredError(params, false, generator), 4.0, 0.51);
+}
+
+// The mixture is merged into Gaussians, so that exact consistency cannot be asked for in turns: within a quarter.
+TEST(TurningFilter, KnowsItsOwnErrorRoughlyInTurns) {
+  auto generator = tws::seededGenerator();
+  const double error = meanSquaredError(textbook(), true, generator);
+  EXPECT_GT(error, 3.0);
+  EXPECT_LT(error, 5.0);
+}
+
+// If this fails, an aircraft that holds is lost at the first turn.
+TEST(TurningFilter, SeesThatATargetTurns) {
+  const TurningFilterParams params = textbook();
+  TurningFilter filter;
+  for (int k = 0; k < 30; ++k) {
+    const double t = 4.0 * k, turned = k < 15 ? 0.0 : params.turn_rate * (t - 60.0);
+    PlanarPosition z;
+    z.x = k < 15 ? 200.0 * t : 12000.0 + 200.0 / params.turn_rate * std::sin(turned);
+    z.y = k < 15 ? 0.0 : 200.0 / params.turn_rate * (1.0 - std::cos(turned));
+    z.covariance = {10000.0, 0.0, 10000.0};
+    if (k == 0) {
+      filter.start(z, params);
+    } else {
+      filter.update(z, 4.0, params);
+    }
+    if (k == 14) {
+      EXPECT_GT(filter.straightProbability(), 0.9);
+    }
+  }
+  EXPECT_LT(filter.straightProbability(), 0.5);
+}
+
+/// A track that has flown straight to the east over (0, 30 km) at 200 m/s.
+TurningFilter straightFlight(const TurningFilterParams& params) {
+  TurningFilter filter;
+  PlanarPosition z;
+  z.y = 30e3;
+  z.covariance = {10000.0, 0.0, 10000.0};
+  filter.start(z, params);
+  for (int k = 1; k < 10; ++k) {
+    z.x += 800.0;
+    filter.update(z, 4.0, params);
+  }
+  return filter;
+}
+
+// If this fails, a fighter that breaks away loses its track.
+TEST(TurningFilter, FollowsAHardManoeuvreAtOnce) {
+  TurningFilterParams params = textbook();
+  PlanarPosition z;
+  z.x = 8000.0;
+  z.y = 30e3 + 2000.0;  // 250 m/s² for 4 s: no turning model comes near.
+  z.covariance = {10000.0, 0.0, 10000.0};
+  TurningFilter without = straightFlight(params), with = without;
+  const double unexplained = without.update(z, 4.0, params);
+  params.manoeuvre_acceleration = 250.0;
+  const double explained = with.update(z, 4.0, params);
+  EXPECT_GT(explained, unexplained);
+  EXPECT_NEAR(with.mean().y, z.y, 30.0);      // The plot is believed: its sigma is 100 m, that of the manoeuvre 2000 m.
+  EXPECT_NEAR(with.mean().vy, 1000.0, 60.0);  // 2000 m = ½ a t², v = a t.
+}
+
+TEST(TurningFilter, ManoeuvresChangeNothingWhileTheModelsExplainThePlots) {
+  TurningFilterParams params = textbook();
+  const Vector4 without = meanOf(straightFlight(params).mean());
+  params.manoeuvre_acceleration = 10.0;
+  EXPECT_EQ(meanOf(straightFlight(params).mean()), without);
+}
+
+// If this fails, a user who switches manoeuvres off still has their penalty: far plots weigh a hundredth.
+TEST(TurningFilter, WithoutManoeuvresAFarPlotHasTheTextbooksLikelihood) {
+  DenseImm dense;
+  PlanarPosition z;
+  z.covariance = {10000.0, 0.0, 10000.0};
+  TurningFilter filter;
+  filter.start(z, dense.params);
+  dense.start(z);
+  z.x = 6000.0;  // 150 m/s for 4 s is one standard deviation.
+  EXPECT_NEAR(filter.update(z, 4.0, dense.params), dense.update(z, 4.0), 1e-6);
+}
+
+// If this fails, aircraft at a height are lost when they pass near the site.
+TEST(TurningFilter, AFlightAtTheAssumedHeightStaysWithinItsGateNearTheSite) {
+  TurningFilterParams params = textbook();
+  params.assumed_height = 10e3;
+  TurningFilter filter;
+  for (int k = 0; k <= 60; ++k) {
+    const double t = 4.0 * k, x = -30e3 + 250.0 * t, y = 10e3;
+    const double slant = std::sqrt(x * x + y * y + 1e8), azimuth = std::atan2(x, y);
+    const PlanarPosition z = planarMeasurement(slant, azimuth, 100.0, 0.005);
+    if (k == 0) {
+      filter.start(z, params);
+      continue;
+    }
+    const PlanarState p = filter.predict(4.0, params);
+    const Symmetric2 s{p.position.xx + z.covariance.xx, p.position.xy + z.covariance.xy,
+                       p.position.yy + z.covariance.yy};
+    EXPECT_LT(s.mahalanobis(z.x - p.x, z.y - p.y), 25.0) << "at x " << x;
+    filter.update(z, 4.0, params);
+  }
+}
+
+TEST(PlanarPosition, TurnsRangeAndAzimuthErrorsIntoThePlane) {
+  // Due east: range is x, cross-range is y.
+  const PlanarPosition east = planarMeasurement(100e3, kPi / 2.0, 50.0, 0.005);
+  EXPECT_NEAR(east.x, 100e3, 1e-6);
+  EXPECT_NEAR(east.y, 0.0, 1e-6);
+  EXPECT_NEAR(east.covariance.xx, 2500.0, 1e-6);
+  EXPECT_NEAR(east.covariance.yy, 250000.0, 1e-6);
+  EXPECT_NEAR(east.covariance.xy, 0.0, 1e-6);
+  // North-east: both mixed, xy = (along - cross) / 2.
+  const PlanarPosition between = planarMeasurement(100e3, kPi / 4.0, 50.0, 0.005);
+  EXPECT_NEAR(between.covariance.xx, 126250.0, 1e-6);
+  EXPECT_NEAR(between.covariance.xy, -123750.0, 1e-6);
+}
+
+TEST(Symmetric2, GivesTheSquaredDistanceInStandardDeviations) {
+  EXPECT_DOUBLE_EQ((Symmetric2{4.0, 0.0, 9.0}).mahalanobis(4.0, 3.0), 5.0);
+  // [2 1; 1 2]⁻¹ = [2 -1; -1 2] / 3
+  EXPECT_DOUBLE_EQ((Symmetric2{2.0, 1.0, 2.0}).mahalanobis(1.0, 1.0), 2.0 / 3.0);
+}
+
+}  // namespace
+}  // namespace adit_tracker

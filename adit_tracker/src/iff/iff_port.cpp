@@ -1,0 +1,99 @@
+#include "iff/iff_port.h"
+
+#include <tws_runtime/conversions.h>
+
+#include <tws_core/sectors.h>
+
+namespace adit_tracker {
+IffPort::IffPort(tws_runtime::Bus& bus, const std::string& frame, const std::vector<IffParams>& params,
+                 double restart_limit)
+    : bus_(bus), frame_(frame), restart_limit_(restart_limit), interrogators_(params.size()) {
+  for (std::size_t i = 0; i < params.size(); ++i) {
+    interrogators_[i].name = params[i].name;
+    bus.subscribe<tws_msgs::SsrPlots>("/" + params[i].name + "/plots",
+                                      [this, i](const auto& m) { hear(interrogators_[i], m); });
+  }
+}
+
+void IffPort::beginNewRun(double time) {
+  radars_at_ = time;
+  for (Interrogator& iff : interrogators_) {
+    iff.waiting.clear();
+    iff.gone_back = false;
+  }
+}
+
+void IffPort::hear(Interrogator& iff, const tws_msgs::SsrPlots& message) {
+  iff.frame = message.header.frame_id;
+  tws::RadarSector sector;
+  sector.sector = message.sector % tws::kSectors;
+  sector.running = message.running_sector;
+  sector.leave_time = tws_runtime::toSeconds(message.header.stamp);
+  for (const tws_msgs::SsrPlot& p : message.plots) {
+    const std::string fault = tws_runtime::faultOf(p, sector.leave_time);
+    if (!fault.empty()) {
+      bus_.counter("bad IFF plots").add(fault + " in /" + iff.name + "/plots");
+      continue;
+    }
+    tws::Plot& plot = sector.plots.emplace_back();
+    plot.time = tws_runtime::toSeconds(p.stamp);
+    plot.range = p.range;
+    plot.azimuth = p.azimuth;
+  }
+  await(iff, std::move(sector));
+}
+
+void IffPort::await(Interrogator& iff, tws::RadarSector sector) {
+  iff.gone_back = iff.gone_back || sector.leave_time <= radars_at_ + restart_limit_;
+  if (!iff.gone_back) {
+    bus_.counter("messages of the old run")
+        .add(iff.name + ": up to " + std::to_string(sector.leave_time) + " s, the radars are at " +
+             std::to_string(radars_at_) + " s");
+    return;
+  }
+  iff.waiting.push_back(std::move(sector));
+  if (iff.waiting.size() <= kMostWaiting) return;
+  iff.waiting.pop_front();
+  bus_.counter("dropped IFF sectors")
+      .add("more than " + std::to_string(kMostWaiting) + " of " + iff.name +
+           " wait: the radars are silent, or its clock is ahead of theirs");
+}
+
+/// Once for each secondary radar.
+bool IffPort::findSite(Interrogator& iff, const RadarSites& sites) {
+  if (iff.site || iff.site_unknown) return true;
+  const bool patient = iff.waiting.size() <= kPatience;
+  std::string why;
+  const auto site = tws_runtime::findSite(bus_.transforms(), frame_, iff.frame, why);
+  if (site) iff.site = sites.onPlane(*site);
+  if (site || patient) return site.has_value();
+  bus_.counter("unknown sites")
+      .add("no transform from " + iff.name + " to " + frame_ + ": " + why + "; its plots are left out");
+  iff.site_unknown = true;
+  return true;
+}
+
+void IffPort::handOver(Adit& adit, const RadarSites& sites) {
+  for (std::size_t i = 0; i < interrogators_.size(); ++i) {
+    Interrogator& iff = interrogators_[i];
+    if (iff.waiting.empty() || !findSite(iff, sites)) continue;
+    std::deque<tws::RadarSector> ahead;
+    for (tws::RadarSector& sector : iff.waiting) {
+      const std::size_t plots = sector.plots.size();
+      const std::string which = "up to " + std::to_string(sector.leave_time) + " s, of " + iff.name;
+      if (!iff.site)
+        leaveOut("unplaced IFF plots", plots, which);
+      else if (sector.leave_time > radars_at_)
+        ahead.push_back(std::move(sector));
+      else if (!adit.hearIff(i, std::move(sector), *iff.site))
+        leaveOut("late IFF plots", plots, which);
+    }
+    iff.waiting = std::move(ahead);
+  }
+}
+
+void IffPort::leaveOut(const char* counter, std::size_t plots, const std::string& reason) {
+  for (std::size_t i = 0; i < plots; ++i) bus_.counter(counter).add(reason);
+}
+
+}  // namespace adit_tracker

@@ -1,0 +1,102 @@
+#include "io/track_messages.h"
+
+#include <tws_runtime/conversions.h>
+
+#include <cmath>
+#include <limits>
+
+#include <tws_core/angles.h>
+
+#include "elevation/track_height.h"
+
+namespace adit_tracker {
+namespace {
+
+constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+
+std::uint8_t stateOf(const Adit& adit, const Track& track, TrackEvent event) {
+  if (event == TrackEvent::kDropped) return tws_msgs::Track::DROPPED;
+  if (!adit.believed(track)) return tws_msgs::Track::TENTATIVE;
+  return track.coasting ? tws_msgs::Track::COASTING : tws_msgs::Track::FIRM;
+}
+
+void setPlace(tws_msgs::Track& message, const Kinematics& k, const Site& site) {
+  const double c = std::cos(site.turn), s = std::sin(site.turn);
+  message.stamp = tws_runtime::toTime(k.time);
+  message.range = k.range;
+  message.azimuth = k.azimuth;
+  message.elevation = kUnknown;
+  message.range_rate = k.range_rate;
+  message.azimuth_rate = k.azimuth_rate;
+  message.position.x = site.x + c * k.x - s * k.y;
+  message.position.y = site.y + s * k.x + c * k.y;
+  message.position.z = kUnknown;
+  message.velocity.x = c * k.vx - s * k.vy;
+  message.velocity.y = s * k.vx + c * k.vy;
+  message.velocity.z = kUnknown;
+  message.speed = std::hypot(k.vx, k.vy);
+  message.course = message.speed > 0.0 ? tws::wrapTwoPi(std::atan2(k.vx, k.vy)) : kUnknown;
+}
+
+void setCovariance(tws_msgs::Track& message, const PlanarState& p, const Site& site) {
+  const double c = std::cos(site.turn), s = std::sin(site.turn);
+  const double own[4][4] = {{p.position.xx, p.position.xy, p.x_vx, p.x_vy},
+                            {p.position.xy, p.position.yy, p.y_vx, p.y_vy},
+                            {p.x_vx, p.y_vx, p.velocity.xx, p.velocity.xy},
+                            {p.x_vy, p.y_vy, p.velocity.xy, p.velocity.yy}};
+  const double turn[4][4] = {{c, -s, 0.0, 0.0}, {s, c, 0.0, 0.0}, {0.0, 0.0, c, -s}, {0.0, 0.0, s, c}};
+  message.covariance.assign(16, 0.0);
+  for (std::size_t cell = 0; cell < 16; ++cell) {
+    for (std::size_t i = 0; i < 4; ++i) {
+      for (std::size_t j = 0; j < 4; ++j) message.covariance[cell] += turn[cell / 4][i] * own[i][j] * turn[cell % 4][j];
+    }
+  }
+}
+
+}  // namespace
+
+tws_msgs::Track trackMessage(const Adit& adit, const TrackWord& word, const Site& site) {
+  const Track& track = adit.tracks().at(word.slot);
+  const Extrapolation now = adit.at(word.slot, word.time);
+  tws_msgs::Track message;
+  message.number = track.number;
+  message.uid = track.uid;
+  message.state = stateOf(adit, track, word.event);
+  message.first_detection = tws_runtime::toTime(track.first_time);
+  message.last_update = tws_runtime::toTime(track.last_update);
+  setPlace(message, now.kinematics, site);
+  if (track.height_guess.known()) message.position.z = site.z + track.height_guess.height();
+  if (now.has_covariance) setCovariance(message, now.planar, site);
+  message.detection_bits = track.detected_by;
+  if (track.answers_iff != 0) message.detection_bits |= tws_msgs::Track::DETECTED_BY_IFF;
+  if (track.handed_off) message.detection_bits |= tws_msgs::Track::HANDED_OFF;
+  if (track.designated) message.detection_bits |= tws_msgs::Track::ELEVATION_REQUESTED;
+  for (std::size_t radar = 0; radar < adit.params().radars.size(); ++radar) {
+    if (track.updated[radar] == kNever) continue;
+    message.radars.push_back(adit.params().radars[radar].name);
+    message.radar_updates.push_back(tws_runtime::toTime(track.updated[radar]));
+  }
+  message.mode_1 = message.mode_2 = message.mode_3a = tws_msgs::Track::CODE_UNKNOWN;
+  message.height = message.height_sigma = kUnknown;
+  if (const auto height = adit.height(word.slot, word.time)) setHeight(message, *height, site, !adit.severalSites());
+  return message;
+}
+
+tws_msgs::ClutterMap clutterMessage(const Adit& adit) {
+  tws_msgs::ClutterMap message;
+  for (std::size_t map = 0; map < adit.clutter().size(); ++map) {
+    for (const ClutterPoint& point : adit.clutter()[map].points()) {
+      tws_msgs::ClutterPoint& p = message.points.emplace_back();
+      p.number = point.number;
+      if (adit.params().clutter.per_radar) p.radar = adit.params().radars[map].name;
+      p.last_update = tws_runtime::toTime(point.last_update);
+      p.range = point.range;
+      p.azimuth = point.azimuth;
+      p.hits = static_cast<std::uint32_t>(point.hits);
+      p.absorbing = adit.clutter()[map].absorbing(point);
+    }
+  }
+  return message;
+}
+
+}  // namespace adit_tracker

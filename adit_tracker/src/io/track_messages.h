@@ -1,0 +1,20 @@
+#pragma once
+
+#include <tws_msgs/ClutterMap.h>
+#include <tws_msgs/Track.h>
+#include <tws_runtime/conversions.h>
+
+#include "core/adit.h"
+
+namespace adit_tracker {
+
+using tws_runtime::Site;
+
+/// What the tracker says of a track: range and azimuth as the radars see it, position and velocity in the frame of
+/// positions.
+tws_msgs::Track trackMessage(const Adit& adit, const TrackWord& word, const Site& site);
+
+/// The clutter map without its header.
+tws_msgs::ClutterMap clutterMessage(const Adit& adit);
+
+}  // namespace adit_tracker

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <tws_msgs/OperatorRequest.h>
+#include <tws_runtime/conversions.h>
+
+#include "operator/operator_desk.h"
+
+namespace adit_tracker {
+
+/// The request that a message holds. `site` is that of the radars in the frame of the message's position.
+OperatorRequest requestOf(const tws_msgs::OperatorRequest& message, const tws_runtime::Site& site);
+
+/// As a message to load them holds them.
+std::vector<tws_msgs::ClutterPoint> clutterPoints(const std::vector<ClutterPlace>& places);
+
+/// Writes into the message when it took effect, but for the run, and what came of it.
+void setEffect(tws_msgs::OperatorRequest& message, const Adit& adit, const OperatorAnswer& answer);
+
+/// Did both have the same effect?
+bool sameEffect(const tws_msgs::OperatorRequest& a, const tws_msgs::OperatorRequest& b);
+
+}  // namespace adit_tracker
