@@ -24,8 +24,6 @@ namespace tws {
 template <class T>
 class TimeOrder {
  public:
-  enum class Result { kAccepted, kLate };
-
   struct Item {
     std::size_t stream;
     double time;  // [s]
@@ -39,22 +37,21 @@ class TimeOrder {
     if (!(limit >= 0.0)) throw std::invalid_argument("TimeOrder: the limit must be a time of at least 0 s");
   }
 
-  /// Late: the item sorts before one already released, or before one of its own stream. It is counted, and not queued;
-  /// `value` is then left as it was, for the caller to use or to count. Throws std::invalid_argument for an unknown
+  /// Queues the item. One that is late, since it sorts before one already released or before one of its own stream, is
+  /// counted, and its value handed back, for the caller to use or to drop. Throws std::invalid_argument for an unknown
   /// stream or a time that is not finite.
-  Result push(std::size_t stream, double time, T&& value) {
+  std::optional<T> push(std::size_t stream, double time, T value) {
     checkInput(stream, time);
     const bool late = time < heard_[stream] || std::make_pair(time, stream) < released_;
     hear(stream, time);
     if (late) {
       ++late_;
-      return Result::kLate;
+      return std::optional<T>(std::move(value));
     }
     queues_[stream].push_back({stream, time, std::move(value)});
     ++size_;
-    return Result::kAccepted;
+    return std::nullopt;
   }
-  Result push(std::size_t stream, double time, const T& value) { return push(stream, time, T(value)); }
 
   /// The stream has come to this time without an item; its next one may still have this very time. An earlier time than
   /// already heard says nothing. Throws as push().

@@ -73,23 +73,21 @@ TEST(TimeOrder, CountsAndReturnsALateItemInsteadOfReleasingItOutOfOrder) {
   order.push(0, 10.0, std::make_unique<int>(1));
   order.advance(0, 12.0);
   ASSERT_TRUE(order.pop());
-  auto late = std::make_unique<int>(2);
-  EXPECT_EQ(order.push(1, 9.0, std::move(late)), decltype(order)::Result::kLate);
-  // NOLINTNEXTLINE(bugprone-use-after-move,clang-analyzer-cplusplus.Move): push() promises to leave a late item alone.
-  EXPECT_TRUE(late != nullptr && *late == 2);
+  const auto late = order.push(1, 9.0, std::make_unique<int>(2));
+  ASSERT_TRUE(late && *late);
+  EXPECT_EQ(**late, 2);
   EXPECT_EQ(order.late(), 1U);
   EXPECT_EQ(order.size(), 0U);
-  EXPECT_EQ(order.push(1, 10.0, std::make_unique<int>(3)),
-            decltype(order)::Result::kAccepted);  // sorts after (10.0, 0)
+  EXPECT_FALSE(order.push(1, 10.0, std::make_unique<int>(3)));  // sorts after (10.0, 0)
 }
 
 // Whether it is late must not hang on how fast the others came.
 TEST(TimeOrder, CallsAnItemLateThatGoesBackWithinItsOwnStream) {
   Order order(2);
   order.push(0, 10.0, 1);
-  EXPECT_EQ(order.push(0, 9.9, 2), Order::Result::kLate);
+  EXPECT_EQ(order.push(0, 9.9, 2), 2);
   order.advance(1, 20.0);
-  EXPECT_EQ(order.push(1, 19.9, 3), Order::Result::kLate);
+  EXPECT_EQ(order.push(1, 19.9, 3), 3);
   EXPECT_EQ(order.late(), 2U);
 }
 
@@ -122,7 +120,7 @@ TEST(TimeOrder, StartsAfreshAfterAReset) {
   order.reset();
   EXPECT_EQ(order.size(), 0U);
   EXPECT_EQ(order.late(), 0U);
-  EXPECT_EQ(order.push(1, 7.0, 4), Order::Result::kAccepted);
+  EXPECT_FALSE(order.push(1, 7.0, 4));
   order.push(1, 7.6, 5);  // the limit is still half a second
   EXPECT_EQ(values(order), (Values{4}));
 }

@@ -120,11 +120,9 @@ class TrackCorrelatorNode::Impl {
     // A tracker of several radars may step back a little from message to message.
     double& stream_time = stream_time_[stream];
     stream_time = std::max(stream_time, time);
-    using Order = tws::TimeOrder<Input>;
-    if (order_.push(stream, stream_time, std::move(input)) == Order::Result::kLate) {
+    if (const auto late = order_.push(stream, stream_time, std::move(input))) {
       bus_.counter("late messages").add("more than skew_limit_s behind the others" + where);
-      // NOLINTNEXTLINE(bugprone-use-after-move)
-      apply(stream, input);  // A late word of a track is better than none. TimeOrder has left it as it was.
+      apply(stream, *late);  // A late update of a track is better than none.
     }
     while (auto next = order_.pop()) apply(next->stream, next->value);
     countTroubles();

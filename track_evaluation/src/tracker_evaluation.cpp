@@ -32,8 +32,7 @@ TrackerEvaluation::TrackerEvaluation(const EvaluationParams& params, FindSite fi
       picture_(params.longest_silence) {}
 
 bool TrackerEvaluation::add(const tws_msgs::Truth& message) {
-  const bool in_time = order_.push(kTruth, tws_runtime::toSeconds(message.header.stamp), Input(message)) ==
-                       tws::TimeOrder<Input>::Result::kAccepted;
+  const bool in_time = !order_.push(kTruth, tws_runtime::toSeconds(message.header.stamp), Input(message));
   drain();
   return in_time;
 }
@@ -44,8 +43,7 @@ bool TrackerEvaluation::add(const tws_msgs::CorrelatedTracks& message) { return 
 
 template <class M>
 bool TrackerEvaluation::addTracks(const M& message) {
-  const bool in_time = order_.push(kTracks, tws_runtime::toSeconds(message.header.stamp), Input(message)) ==
-                       tws::TimeOrder<Input>::Result::kAccepted;
+  const bool in_time = !order_.push(kTracks, tws_runtime::toSeconds(message.header.stamp), Input(message));
   if (!in_time) take(message);
   drain();
   return in_time;
