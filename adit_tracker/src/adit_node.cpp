@@ -175,7 +175,7 @@ class AditNode::Impl {
   /// The report's I12DEL: sectors that wait for nothing but the tracker, and the four that it needs ahead.
   std::size_t lag() const {
     const std::vector<std::size_t> ready = adit_->ready();
-    return Executive::kSectorsAhead + *std::max_element(ready.begin(), ready.end());
+    return kSectorsAhead + *std::max_element(ready.begin(), ready.end());
   }
 
   void skipWhenOverflowing() {

@@ -9,8 +9,8 @@
 #include <tws_core/sectors.h>
 #include <tws_core/units.h>
 
+#include <tws_core/multiple_model_filter.h>
 #include "core/gate.h"
-#include "core/turning_filter.h"
 #include "elevation/elevation_params.h"
 
 namespace adit_tracker {
@@ -118,7 +118,7 @@ struct AditParams {
 
   FilterKind filter = FilterKind::kTurning;
   tws::AdaptiveAlphaBetaParams alpha_beta;
-  TurningFilterParams turning;
+  tws::MultipleModelParams turning;
   bool learn_noise = true;  // Learn each radar's standard deviations from its firm tracks.
 
   GateKind gates = GateKind::kStatistical;

@@ -12,7 +12,7 @@ namespace adit_tracker {
 
 void Adit::mapClutter(std::size_t index, std::int64_t running) {
   RadarState& radar = radars_[index];
-  const double now = radar.antenna.timeAt(Antenna::startOf(running + 1));
+  const double now = radar.antenna.timeAt(tws::Antenna::startOf(running + 1));
   // A common map is judged by the scans of the reference radar, a radar's own map by its own.
   const bool judges = params_.clutter.per_radar || index == reference_;
   const auto judge_after = judges ? judgeAfter(index, running, 0) : std::nullopt;
@@ -47,7 +47,7 @@ std::size_t Adit::loadClutter(const std::vector<ClutterPlace>& places) {
 }
 
 /// The sectors that the map is too late for, because it runs ahead, are mapped now.
-void Adit::loadAwaitedClutter(const Executive::Turn& turn) {
+void Adit::loadAwaitedClutter(const tws::SectorRef& turn) {
   const std::size_t map = clutterIndex(turn.radar);
   if (awaited_clutter_[map].empty()) return;
   loadClutterInto(map, awaited_clutter_[map]);
@@ -60,7 +60,7 @@ std::size_t Adit::loadClutterInto(std::size_t map, std::vector<ClutterPlace>& aw
   std::vector<std::string> groups = {""};
   for (const RadarParams& radar : params_.radars) groups.push_back(radar.name);
   std::size_t refused = 0;
-  const bool elsewhere = !sameSite(radars_[map].frame, sites_.front());  // and sees no place of all radars there
+  const bool elsewhere = !tws::sameSite(radars_[map].frame, sites_.front());  // and sees no place of all radars there
   for (const std::string& group : groups) {
     if (elsewhere && group.empty()) continue;
     std::vector<ClutterPlace> own;

@@ -44,7 +44,7 @@ Adit::Adit(const AditParams& params, Sink sink)
     : params_(checked(params)),
       sink_(std::move(sink)),
       reference_(radarIndex(params, params.reference_radar)),
-      executive_(params.radars.size(), params.skew_limit),
+      order_(params.radars.size(), params.skew_limit, kSectorsAhead),
       tracks_(params.capacity),
       correlator_(params),
       motion_(params),
@@ -65,14 +65,14 @@ void Adit::add(std::size_t radar, tws::RadarSector sector) {
 
 void Adit::take(std::size_t radar, tws::RadarSector sector) {
   RadarState& state = radars_.at(radar);
-  const std::int64_t newest = executive_.newest(radar);
+  const std::int64_t newest = order_.newest(radar);
   if (sector.running <= newest) {
     throw std::invalid_argument("radar " + params_.radars[radar].name + ": sector " + std::to_string(sector.running) +
                                 " comes after sector " + std::to_string(newest));
   }
   sift(radar, sector);
   counts_.plots += sector.plots.size();
-  if (!executive_.closed(radar, sector.running, sector.enter_time, sector.leave_time)) ++counts_.late_sectors;
+  if (!order_.add({radar, sector.running}, sector.enter_time, sector.leave_time)) ++counts_.late_sectors;
   state.waiting.push_back(std::move(sector));
   ++taken_;
 }
@@ -104,12 +104,12 @@ bool Adit::cameBefore(std::size_t radar, std::int64_t running, const tws::Plot& 
 }
 
 void Adit::finish() {
-  executive_.finish();
+  order_.finish();
   while (step()) continue;
 }
 
 bool Adit::step() {
-  const auto turn = executive_.next();
+  const auto turn = order_.next();
   if (turn) process(*turn);
   return turn.has_value();
 }
@@ -117,7 +117,7 @@ bool Adit::step() {
 void Adit::skip() {
   std::vector<std::size_t> left = ready();
   while (true) {
-    const auto turn = executive_.next();
+    const auto turn = order_.next();
     if (!turn) return;
     pass(*turn, static_cast<std::int64_t>(left[turn->radar]--) <= kClutterAhead);
   }
@@ -125,24 +125,24 @@ void Adit::skip() {
 
 /// Lets in what the turn may look at: the radar's sectors up to four ahead. What else has come must not matter, or the
 /// result would depend on how the radars' messages interleave.
-void Adit::admit(const Executive::Turn& turn) {
+void Adit::admit(const tws::SectorRef& turn) {
   RadarState& radar = radarOf(turn);
   auto& waiting = radar.waiting;
-  for (; !waiting.empty() && waiting.front().running <= turn.running + Executive::kSectorsAhead; waiting.pop_front()) {
+  for (; !waiting.empty() && waiting.front().running <= turn.running + kSectorsAhead; waiting.pop_front()) {
     const tws::RadarSector& sector = waiting.front();
-    radar.antenna.mark(sector.running, sector.enter_time);
-    radar.antenna.mark(sector.running + 1, sector.leave_time);
+    radar.antenna.cross(sector.running, sector.enter_time);
+    radar.antenna.cross(sector.running + 1, sector.leave_time);
     radar.detections.add(sector);
     for (const tws::Plot& plot : sector.plots) radar.quality.saw(plot.range);
   }
 }
 
-void Adit::begin(const Executive::Turn& turn) {
+void Adit::begin(const tws::SectorRef& turn) {
   if (!radarOf(turn).joined) joinSite(turn.radar);
   admit(turn);
   report_.radar = turn.radar;
   report_.running = turn.running;
-  report_.enter_time = radarOf(turn).antenna.timeAt(Antenna::startOf(turn.running));
+  report_.enter_time = radarOf(turn).antenna.timeAt(tws::Antenna::startOf(turn.running));
   report_.skipped = false;
   iff_.apply(report_.enter_time, tracks_, motion_);
   report_.words = by_hand_;
@@ -155,7 +155,7 @@ void Adit::begin(const Executive::Turn& turn) {
 }
 
 /// Figure 3 of the report: one sector of the radar whose data are the oldest.
-void Adit::process(const Executive::Turn& turn) {
+void Adit::process(const tws::SectorRef& turn) {
   begin(turn);
   mapClutter(turn.radar, turn.running + kClutterAhead);
   correlate(turn);
@@ -175,7 +175,7 @@ void Adit::end() {
 }
 
 /// A sector that is skipped. The clutter map must have seen those that are not any more.
-void Adit::pass(const Executive::Turn& turn, bool map_clutter) {
+void Adit::pass(const tws::SectorRef& turn, bool map_clutter) {
   begin(turn);
   report_.skipped = true;
   ++counts_.skipped_sectors;
@@ -185,7 +185,7 @@ void Adit::pass(const Executive::Turn& turn, bool map_clutter) {
   listSector(turn, turn.running, primary_);
   for (const auto slot : primary_) {
     Track& track = tracks_.at(slot);
-    track.illuminated[turn.radar] = Antenna::near(track.predicted.azimuth, turn.running);
+    track.illuminated[turn.radar] = tws::Antenna::near(track.predicted.azimuth, turn.running);
     predictNext(track, radarOf(turn).site);
     moveOn(slot, turn.radar);
   }
@@ -201,15 +201,15 @@ std::optional<double> Adit::judgeAfter(std::size_t radar, std::int64_t running, 
 }
 
 /// The tracks in a sector that this radar has not met on this scan, each aimed at the radar's beam.
-void Adit::listSector(const Executive::Turn& turn, std::int64_t running, Slots& slots) {
+void Adit::listSector(const tws::SectorRef& turn, std::int64_t running, Slots& slots) {
   const std::size_t begin = slots.size();
-  tracks_.list(Antenna::sectorNumber(running), slots, radarOf(turn).site);
+  tracks_.list(tws::Antenna::sectorNumber(running), slots, radarOf(turn).site);
   const auto met = [&](TrackFile::Slot s) { return metOnThisScan(tracks_.at(s), turn.radar, running); };
   slots.erase(std::remove_if(slots.begin() + static_cast<std::ptrdiff_t>(begin), slots.end(), met), slots.end());
   for (std::size_t i = begin; i < slots.size(); ++i) aimAt(tracks_.at(slots[i]), turn.radar, running);
 }
 
-void Adit::correlate(const Executive::Turn& turn) {
+void Adit::correlate(const tws::SectorRef& turn) {
   primary_.clear();
   secondary_.clear();
   listSector(turn, turn.running, primary_);
@@ -235,7 +235,7 @@ bool Adit::tellsErrors(const Track& track, const tws::Plot& plot) const {
   constexpr double kSurelyStraight = 0.9;
   return params_.learn_noise && std::isnan(plot.range_sigma) && !track.predicted.vague_height && track.firm &&
          track.updates > kSettledUpdates &&
-         std::get<TurningFilter>(track.filter).straightProbability() > kSurelyStraight;
+         std::get<tws::MultipleModelFilter>(track.filter).straightProbability() > kSurelyStraight;
 }
 
 /// Is the track surely no clutter?
@@ -245,7 +245,7 @@ bool Adit::clutterYieldsTo(const Track& track) const {
          k.vx * k.vx + k.vy * k.vy > params_.conversion.speed_up * params_.conversion.speed_up;
 }
 
-void Adit::update(const Executive::Turn& turn, TrackFile::Slot slot, Detection& detection) {
+void Adit::update(const tws::SectorRef& turn, TrackFile::Slot slot, Detection& detection) {
   Track& track = tracks_.at(slot);
   RadarQuality& quality = radarOf(turn).quality;
   const tws::Plot& plot = detection.plot;
@@ -262,7 +262,7 @@ void Adit::update(const Executive::Turn& turn, TrackFile::Slot slot, Detection& 
   }
   track.coasting = false;
   track.updated[turn.radar] = plot.time;
-  track.illuminated[turn.radar] = Antenna::near(plot.azimuth, turn.running);
+  track.illuminated[turn.radar] = tws::Antenna::near(plot.azimuth, turn.running);
   track.detected_by = static_cast<std::uint16_t>(track.detected_by | 1U << turn.radar);
   // What a clutter point on probation claims is no evidence of movement: a tentative track waits for a better
   // detection.
@@ -274,7 +274,7 @@ void Adit::update(const Executive::Turn& turn, TrackFile::Slot slot, Detection& 
 }
 
 /// Illuminated and not detected by itself: it shares the detection of another track, if it still is another one.
-void Adit::hide(const Executive::Turn& turn, TrackFile::Slot slot, const Detection& detection) {
+void Adit::hide(const tws::SectorRef& turn, TrackFile::Slot slot, const Detection& detection) {
   Track& track = tracks_.at(slot);
   if (bifurcation_.hasMerged(track, detection)) return drop(slot, detection.plot.time);
   const std::int32_t updates = track.updates;
@@ -285,16 +285,16 @@ void Adit::hide(const Executive::Turn& turn, TrackFile::Slot slot, const Detecti
   track.updates = updates;  // no evidence
   judge_.hidden(track, detection.plot.time);
   track.coasting = false;
-  track.illuminated[turn.radar] = Antenna::near(detection.plot.azimuth, turn.running);
+  track.illuminated[turn.radar] = tws::Antenna::near(detection.plot.azimuth, turn.running);
   track.detected_by = static_cast<std::uint16_t>(track.detected_by | 1U << turn.radar);
   report_.words.push_back({slot, TrackEvent::kUpdated, std::max(track.smoothed.time, detection.plot.time)});
   predictNext(track, radarOf(turn).site);
 }
 
 /// Illuminated and not detected: the track coasts by its stored velocities, or has had its time.
-void Adit::miss(const Executive::Turn& turn, TrackFile::Slot slot) {
+void Adit::miss(const tws::SectorRef& turn, TrackFile::Slot slot) {
   Track& track = tracks_.at(slot);
-  track.illuminated[turn.radar] = Antenna::near(track.predicted.azimuth, turn.running);
+  track.illuminated[turn.radar] = tws::Antenna::near(track.predicted.azimuth, turn.running);
   track.detected_by = static_cast<std::uint16_t>(track.detected_by & ~(1U << turn.radar));
   if (outOfReach(track, radarOf(turn).quality)) return predictNext(track, radarOf(turn).site);
   track.coasting = true;
@@ -313,7 +313,7 @@ void Adit::drop(TrackFile::Slot slot, double time) {
   ++counts_.tracks_dropped;
 }
 
-void Adit::convertSlowTracks(const Executive::Turn& turn) {
+void Adit::convertSlowTracks(const tws::SectorRef& turn) {
   if (turn.radar != reference_) return;
   const auto judge_after = judgeAfter(turn.radar, turn.running, params_.conversion.scans / 2);
   if (!judge_after) return;
@@ -348,7 +348,7 @@ bool Adit::hasBecomeSlow(Track& track, double judge_after) const {
 
 /// What neither clutter nor tracks have used starts both: the clutter point will go on being updated, or the track
 /// will.
-void Adit::initiate(const Executive::Turn& turn) {
+void Adit::initiate(const tws::SectorRef& turn) {
   RadarState& radar = radarOf(turn);
   std::size_t unused = 0;
   for (Detection& detection : radar.detections.at(turn.running - kInitiationBehind).detections) {

@@ -5,11 +5,11 @@
 #include <optional>
 #include <vector>
 
+#include <tws_core/sector_order.h>
 #include "adit_params.h"
 #include "clutter/clutter_map.h"
 #include "core/bifurcation.h"
 #include "core/correlator.h"
-#include "core/executive.h"
 #include "core/radar_state.h"
 #include "core/track_file.h"
 #include "core/track_life.h"
@@ -20,6 +20,8 @@
 namespace adit_tracker {
 
 constexpr std::int64_t kClutterAhead = 3;  // sectors that the clutter map runs ahead of the tracks
+// The clutter map works on sector +3 with the detections of sector +4.
+constexpr std::int64_t kSectorsAhead = kClutterAhead + 1;
 
 /// What happened to a track when a sector was processed.
 enum class TrackEvent { kStarted, kUpdated, kCoasted, kDropped };
@@ -51,7 +53,7 @@ struct AditCounts {
 
 /// The tracker of NRL Report 7952 for up to eight radars: detections of asynchronously scanning radars become one set
 /// of tracks. The radars may stand at different sites, each with azimuth sectors of its own; a track is in one of each.
-/// Same sectors in, same tracks out, whatever the order in which the radars' sectors arrive (see Executive).
+/// Same sectors in, same tracks out, whatever the order in which the radars' sectors arrive (see tws::SectorOrder).
 class Adit {
  public:
   using Sink = std::function<void(const SectorReport&)>;
@@ -61,11 +63,11 @@ class Adit {
 
   /// Where a radar stands, before its first sector; else with the first radar. The same again changes nothing. Throws
   /// std::invalid_argument when it stands elsewhere and the parameters cannot join it (see joinsSites).
-  void place(std::size_t radar, const SiteFrame& frame);
+  void place(std::size_t radar, const tws::SiteFrame& frame);
 
   /// What a secondary radar (index in params.iff) has received in one sector. It may come before or after the radars'
   /// data of that time, within about a second; later it is left out, and false.
-  bool hearIff(std::size_t iff, tws::RadarSector sector, const SiteFrame& site) {
+  bool hearIff(std::size_t iff, tws::RadarSector sector, const tws::SiteFrame& site) {
     return iff_.add(iff, std::move(sector), site);
   }
 
@@ -81,7 +83,7 @@ class Adit {
   /// Sectors taken in and not processed yet, of all radars.
   std::size_t waiting() const { return taken_ - counts_.sectors; }
   /// Sectors that step() would process by now, of each radar.
-  std::vector<std::size_t> ready() const { return executive_.ready(); }
+  std::vector<std::size_t> ready() const { return order_.ready(); }
   /// Overflow: passes over all sectors that are ready. Their detections are ignored; the tracks there are not updated,
   /// and their next meetings with a beam are computed anew.
   void skip();
@@ -107,13 +109,13 @@ class Adit {
   /// The sector processed last; its words are not valid. Of radar 0 and at 0 s as long as counts() has no sector.
   const SectorReport& latest() const { return report_; }
   /// Has the tracker given up waiting for this radar, or never heard it?
-  bool silent(std::size_t radar) const { return executive_.silent(radar); }
+  bool silent(std::size_t radar) const { return order_.silent(radar); }
   /// The running number of the radar's next sector.
-  std::int64_t front(std::size_t radar) const { return executive_.front(radar); }
+  std::int64_t front(std::size_t radar) const { return order_.front(radar); }
   std::size_t referenceRadar() const { return reference_; }
   /// Do the radars stand at several sites?
   bool severalSites() const { return sites_.size() > 1; }
-  const Antenna& antenna(std::size_t radar) const { return radars_[radar].antenna; }
+  const tws::Antenna& antenna(std::size_t radar) const { return radars_[radar].antenna; }
   const TrackFile& tracks() const { return tracks_; }
   /// Every living track, by sector.
   std::vector<TrackFile::Slot> living() const;
@@ -140,27 +142,27 @@ class Adit {
 
   void sift(std::size_t radar, tws::RadarSector& sector);
   bool cameBefore(std::size_t radar, std::int64_t running, const tws::Plot& plot);
-  void begin(const Executive::Turn& turn);
+  void begin(const tws::SectorRef& turn);
   void end();
-  void pass(const Executive::Turn& turn, bool map_clutter);
-  void process(const Executive::Turn& turn);
-  void admit(const Executive::Turn& turn);
+  void pass(const tws::SectorRef& turn, bool map_clutter);
+  void process(const tws::SectorRef& turn);
+  void admit(const tws::SectorRef& turn);
   void mapClutter(std::size_t radar, std::int64_t running);
-  void loadAwaitedClutter(const Executive::Turn& turn);
+  void loadAwaitedClutter(const tws::SectorRef& turn);
   std::size_t loadClutterInto(std::size_t map, std::vector<ClutterPlace>& awaited);
-  void correlate(const Executive::Turn& turn);
+  void correlate(const tws::SectorRef& turn);
   bool tellsErrors(const Track& track, const tws::Plot& plot) const;
   bool clutterYieldsTo(const Track& track) const;
-  void update(const Executive::Turn& turn, TrackFile::Slot slot, Detection& detection);
-  void miss(const Executive::Turn& turn, TrackFile::Slot slot);
-  void hide(const Executive::Turn& turn, TrackFile::Slot slot, const Detection& detection);
-  void initiate(const Executive::Turn& turn);
+  void update(const tws::SectorRef& turn, TrackFile::Slot slot, Detection& detection);
+  void miss(const tws::SectorRef& turn, TrackFile::Slot slot);
+  void hide(const tws::SectorRef& turn, TrackFile::Slot slot, const Detection& detection);
+  void initiate(const tws::SectorRef& turn);
   /// nullptr: there is no number left.
   Track* startTrack(std::size_t radar, const tws::Plot& plot);
-  void startTrackOrBranch(const Executive::Turn& turn, const Detection& detection);
+  void startTrackOrBranch(const tws::SectorRef& turn, const Detection& detection);
   /// As far as no beam has met it yet.
   std::optional<TrackFile::Slot> newTrack(std::size_t radar, const tws::Plot& plot);
-  void convertSlowTracks(const Executive::Turn& turn);
+  void convertSlowTracks(const tws::SectorRef& turn);
   std::size_t latestOf(const Track& track) const;
   bool hasBecomeSlow(Track& track, double judge_after) const;
   void moveOn(TrackFile::Slot slot, std::size_t radar);
@@ -173,7 +175,7 @@ class Adit {
   int sectorElsewhere(const Track& track, std::size_t site) const;
   bool outOfReach(const Track& track, const RadarQuality& quality) const;
   void doubtOtherSites(Track& track, std::size_t radar) const;
-  void listSector(const Executive::Turn& turn, std::int64_t running, Slots& slots);
+  void listSector(const tws::SectorRef& turn, std::int64_t running, Slots& slots);
   void aimAt(Track& track, std::size_t radar, std::int64_t running);
   void predictNext(Track& track, std::size_t site);
   double nextIllumination(const Track& track, std::size_t radar) const;
@@ -181,14 +183,14 @@ class Adit {
   std::optional<double> judgeAfter(std::size_t radar, std::int64_t running, long offset) const;
   std::size_t clutterIndex(std::size_t radar) const { return clutter_.size() == 1 ? 0 : radar; }
   ClutterMap& clutterOf(std::size_t radar) { return clutter_[clutterIndex(radar)]; }
-  RadarState& radarOf(const Executive::Turn& turn) { return radars_[turn.radar]; }
+  RadarState& radarOf(const tws::SectorRef& turn) { return radars_[turn.radar]; }
 
   AditParams params_;
   Sink sink_;
   std::size_t reference_;
-  Executive executive_;
+  tws::SectorOrder order_;
   std::vector<RadarState> radars_;
-  std::vector<SiteFrame> sites_{SiteFrame{}};  // those whose radars have been heard, the first radar's always
+  std::vector<tws::SiteFrame> sites_{tws::SiteFrame{}};  // those whose radars have been heard, the first radar's always
   TrackFile tracks_;
   std::vector<ClutterMap> clutter_;
   std::vector<std::vector<ClutterPlace>> awaited_clutter_;  // of each map: loaded with the first sector

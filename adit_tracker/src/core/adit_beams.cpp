@@ -25,17 +25,18 @@ Seen Adit::seenBy(TrackFile::Slot slot, std::size_t radar, double time) const {
 
 /// Updated or missed: a track that has moved on into the next sector has had its chance all the same.
 bool Adit::metOnThisScan(const Track& track, std::size_t radar, std::int64_t running) {
-  return track.illuminated[radar] > Antenna::startOf(running) - tws::kPi;
+  return track.illuminated[radar] > tws::Antenna::startOf(running) - tws::kPi;
 }
 
 /// Sees to it that the prediction is for this radar's beam in that sector. It mostly is already; not so when another
 /// radar, which should have come first, is silent, or one at another site has met the track since.
 void Adit::aimAt(Track& track, std::size_t radar, std::int64_t running) {
-  const Antenna& antenna = radars_[radar].antenna;
+  const tws::Antenna& antenna = radars_[radar].antenna;
   const bool from_here = radars_[track.predicted.radar].site == radars_[radar].site;
-  const double azimuth = from_here ? track.predicted.azimuth
-                                   : motion_.seenBy(track, radar, antenna.timeAt(Antenna::startOf(running))).azimuth;
-  const double time = antenna.timeAt(Antenna::near(azimuth, running));
+  const double azimuth = from_here
+                             ? track.predicted.azimuth
+                             : motion_.seenBy(track, radar, antenna.timeAt(tws::Antenna::startOf(running))).azimuth;
+  const double time = antenna.timeAt(tws::Antenna::near(azimuth, running));
   if (track.predicted.radar == radar && std::abs(time - track.predicted.time) < kPredictionTolerance) return;
   motion_.predict(track, radar, time, radars_[radar].quality);
 }
@@ -57,10 +58,10 @@ void Adit::moveOn(TrackFile::Slot slot, std::size_t radar) {
 
 /// The sector in which the track's next illumination by a radar of another site will be, as far as is known now.
 int Adit::sectorElsewhere(const Track& track, std::size_t site) const {
-  const SiteFrame& frame = sites_[site];
+  const tws::SiteFrame& frame = sites_[site];
   double earliest = std::numeric_limits<double>::infinity();
   for (std::size_t radar = 0; radar < radars_.size(); ++radar) {
-    if (radars_[radar].site != site || !radars_[radar].antenna.known() || executive_.silent(radar)) continue;
+    if (radars_[radar].site != site || !radars_[radar].antenna.known() || order_.silent(radar)) continue;
     earliest = std::min(earliest, nextIllumination(track, radar));
   }
   const Kinematics& k = track.smoothed;
@@ -88,9 +89,9 @@ void Adit::enterSectors(TrackFile::Slot slot, std::size_t site) {
   }
 }
 
-void Adit::place(std::size_t radar, const SiteFrame& frame) {
+void Adit::place(std::size_t radar, const tws::SiteFrame& frame) {
   RadarState& state = radars_.at(radar);
-  if (executive_.newest(radar) >= 0 || sameSite(frame, sites_.front())) return;
+  if (order_.newest(radar) >= 0 || tws::sameSite(frame, sites_.front())) return;
   if (!joinsSites(params_)) {
     throw std::invalid_argument("radar " + params_.radars[radar].name +
                                 ": radars at different sites need the turning filter and a clutter map for each radar");
@@ -103,13 +104,13 @@ void Adit::place(std::size_t radar, const SiteFrame& frame) {
 void Adit::joinSite(std::size_t radar) {
   RadarState& state = radars_[radar];
   state.joined = true;
-  const auto known =
-      std::find_if(sites_.begin(), sites_.end(), [&](const SiteFrame& site) { return sameSite(site, state.frame); });
+  const auto known = std::find_if(sites_.begin(), sites_.end(),
+                                  [&](const tws::SiteFrame& site) { return tws::sameSite(site, state.frame); });
   const bool is_new = known == sites_.end(), is_second = sites_.size() == 1;
   state.site = static_cast<std::size_t>(known - sites_.begin());
   if (is_new) sites_.push_back(state.frame);
-  std::vector<SiteFrame> frames;
-  for (const RadarState& each : radars_) frames.push_back(each.joined ? each.frame : SiteFrame{});
+  std::vector<tws::SiteFrame> frames;
+  for (const RadarState& each : radars_) frames.push_back(each.joined ? each.frame : tws::SiteFrame{});
   motion_.join(frames);
   if (!is_new) return;
   tracks_.addSite();
@@ -136,16 +137,16 @@ bool Adit::outOfReach(const Track& track, const RadarQuality& quality) const {
 
 /// Has the other radar's processing passed the new sector, but not the old one? Then the track stays where it is.
 bool Adit::wouldMissUpdate(int from, int to, std::size_t radar) const {
-  if (!radars_[radar].antenna.known() || executive_.silent(radar)) return false;
-  const int front = Antenna::sectorNumber(executive_.front(radar));
+  if (!radars_[radar].antenna.known() || order_.silent(radar)) return false;
+  const int front = tws::Antenna::sectorNumber(order_.front(radar));
   return tws::sectorDifference(from, front) >= 0 && tws::sectorDifference(to, front) < 0 &&
          std::abs(tws::sectorDifference(to, from)) < tws::kSectors / 4;
 }
 
 /// When the beam of a radar meets the track next, in a sector that is still to be processed [s].
 double Adit::nextIllumination(const Track& track, std::size_t radar) const {
-  const Antenna& antenna = radars_[radar].antenna;
-  const double earliest = std::max(Antenna::startOf(executive_.front(radar)), track.illuminated[radar] + tws::kPi);
+  const tws::Antenna& antenna = radars_[radar].antenna;
+  const double earliest = std::max(tws::Antenna::startOf(order_.front(radar)), track.illuminated[radar] + tws::kPi);
   const auto atLeast = [&](double azimuth) { return earliest + tws::wrapTwoPi(azimuth - earliest); };
   const Seen seen = motion_.seenBy(track, radar, track.smoothed.time);
   const double guess = atLeast(seen.azimuth);
@@ -162,7 +163,7 @@ void Adit::predictNext(Track& track, std::size_t site) {
   std::size_t next = radars_.size();
   double earliest = 0.0;
   for (std::size_t radar = 0; radar < radars_.size(); ++radar) {
-    if (radars_[radar].site != site || !radars_[radar].antenna.known() || executive_.silent(radar)) continue;
+    if (radars_[radar].site != site || !radars_[radar].antenna.known() || order_.silent(radar)) continue;
     const double time = nextIllumination(track, radar);
     if (next < radars_.size() && time >= earliest) continue;
     next = radar;

@@ -8,7 +8,7 @@ namespace {
 // Radars at different sites, joined to one picture. If these fail, an aircraft seen by both is two tracks, or one that
 // only the second site sees is none.
 
-const SiteFrame kIsland{38e3, 12e3, 0.008};
+const tws::SiteFrame kIsland{38e3, 12e3, 0.008};
 
 /// What a radar at another site reports of the plane of the first one, at a height.
 class SecondSite : public testing::Test {
@@ -17,7 +17,7 @@ class SecondSite : public testing::Test {
   TestRadar first_{6.0}, second_{8.0, 0.5};
 
   /// As TestRadar does, but from the radar's own place: straight flight stays straight there.
-  static TestTarget from(const SiteFrame& site, const TestTarget& target) {
+  static TestTarget from(const tws::SiteFrame& site, const TestTarget& target) {
     const double c = std::cos(site.turn), s = std::sin(site.turn), x = target.x - site.x, y = target.y - site.y;
     return {c * x + s * y, c * y - s * x, c * target.vx + s * target.vy, c * target.vy - s * target.vx,
             target.from,   target.to};

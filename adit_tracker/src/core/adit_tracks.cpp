@@ -36,14 +36,14 @@ Track* Adit::startTrack(std::size_t radar, const tws::Plot& plot) {
   Track& track = tracks_.at(*slot);
   track.updated[radar] = plot.time;
   // Met in a sector that is behind the front or at most a few ahead of it.
-  track.illuminated[radar] = Antenna::near(plot.azimuth, executive_.front(radar));
+  track.illuminated[radar] = tws::Antenna::near(plot.azimuth, order_.front(radar));
   track.detected_by = static_cast<std::uint16_t>(1U << radar);
   enterSectors(*slot, radars_[radar].site);
   report_.words.push_back({*slot, TrackEvent::kStarted, plot.time});
   return &track;
 }
 
-void Adit::startTrackOrBranch(const Executive::Turn& turn, const Detection& detection) {
+void Adit::startTrackOrBranch(const tws::SectorRef& turn, const Detection& detection) {
   RadarState& radar = radarOf(turn);
   const auto parting = params_.bifurcation ? bifurcation_.partingOf(tracks_, detection, radar, turn) : std::nullopt;
   Track* const track = startTrack(turn.radar, detection.plot);

@@ -19,7 +19,7 @@ constexpr double kLeastSpeedSigma = 25.0;  // of a branch [m/s]
 /// both.
 struct Expected {
   double along, across;
-  Symmetric2 covariance;
+  tws::Symmetric2 covariance;
 };
 
 /// Is the track still aimed at the beam that made the plot? Not when it was met in the sector before.
@@ -32,7 +32,7 @@ Expected expectedFrom(const tws::Plot& plot, const Prediction& p, const RadarQua
   const double along = quality.rangeSigma(), across = plot.range * quality.azimuthSigma();
   const bool known = p.innovation.xx > 0.0;  // the α-β filter has no covariance
   return {p.range - plot.range, plot.range * tws::angularDifference(p.azimuth, plot.azimuth),
-          known ? p.innovation : Symmetric2{2.0 * along * along, 0.0, 2.0 * across * across}};
+          known ? p.innovation : tws::Symmetric2{2.0 * along * along, 0.0, 2.0 * across * across}};
 }
 
 Expected expectedFrom(const tws::Plot& plot, const Track& track, const TrackMotion& motion, std::size_t radar,
@@ -44,7 +44,7 @@ Expected expectedFrom(const tws::Plot& plot, const Track& track, const TrackMoti
 }
 
 /// Density of a normal distribution at a distance from its middle, up to a constant.
-double density(const Symmetric2& covariance, double along, double across) {
+double density(const tws::Symmetric2& covariance, double along, double across) {
   return std::exp(-0.5 * covariance.mahalanobis(along, across)) / std::sqrt(covariance.determinant());
 }
 
@@ -84,9 +84,9 @@ std::optional<Bifurcation::Shared> Bifurcation::shareOf(const Run& run, const Tr
   const RadarQuality& quality = run.radar.quality;
   const Expected a = expectedFrom(plot, hidden, run.motion, run.turn.radar, quality);
   const Expected b = expectedFrom(plot, taker, run.motion, run.turn.radar, quality);
-  const Symmetric2 error{std::pow(quality.rangeSigma(), 2), 0.0, std::pow(plot.range * quality.azimuthSigma(), 2)};
-  const Symmetric2 both{a.covariance.xx + b.covariance.xx, a.covariance.xy + b.covariance.xy,
-                        a.covariance.yy + b.covariance.yy};
+  const tws::Symmetric2 error{std::pow(quality.rangeSigma(), 2), 0.0, std::pow(plot.range * quality.azimuthSigma(), 2)};
+  const tws::Symmetric2 both{a.covariance.xx + b.covariance.xx, a.covariance.xy + b.covariance.xy,
+                             a.covariance.yy + b.covariance.yy};
   // Outside of one cell by their own errors and by manoeuvres only; then, they are at its ends.
   const auto inOneCell = [&](double& distance, double variance, double cell) {
     const bool fits = std::abs(distance) <= cell + kMarginSigmas * std::sqrt(variance + hidden.predicted.manoeuvre);
@@ -98,9 +98,9 @@ std::optional<Bifurcation::Shared> Bifurcation::shareOf(const Run& run, const Tr
   if (!inOneCell(along, std::max(0.0, both.xx - 2.0 * error.xx), cell.range)) return std::nullopt;
   if (!inOneCell(across, std::max(0.0, both.yy - 2.0 * error.yy), cell.azimuth * plot.range)) return std::nullopt;
 
-  const Symmetric2 merged{0.25 * both.xx + 0.5 * error.xx + along * along / 12.0,
-                          0.25 * both.xy + along * across / 12.0,
-                          0.25 * both.yy + 0.5 * error.yy + across * across / 12.0};
+  const tws::Symmetric2 merged{0.25 * both.xx + 0.5 * error.xx + along * along / 12.0,
+                               0.25 * both.xy + along * across / 12.0,
+                               0.25 * both.yy + 0.5 * error.yy + across * across / 12.0};
   const double middle_along = b.along + 0.5 * along, middle_across = b.across + 0.5 * across;
   if (merged.mahalanobis(middle_along, middle_across) > kGreatestMiss * kGreatestMiss) return std::nullopt;
   const double there = hidden.detection_probability[run.turn.radar] * hidden.existence;
@@ -149,7 +149,7 @@ void Bifurcation::tryToShare(const Run& run, TrackFile::Slot slot) {
 
 void Bifurcation::share(const TrackFile& tracks, const TrackMotion& motion, const Correlator& correlator,
                         const std::vector<Correlation>& pairs, const std::vector<TrackFile::Slot>& primary,
-                        RadarState& radar, const Executive::Turn& turn) {
+                        RadarState& radar, const tws::SectorRef& turn) {
   const auto isOld = [&](const Shared& s) { return s.radar == &radar && s.running + kSectorsKept <= turn.running; };
   shared_.erase(std::remove_if(shared_.begin(), shared_.end(), isOld), shared_.end());
   now_ = shared_.size();
@@ -201,7 +201,7 @@ Bifurcation::Reach Bifurcation::partingReach(const tws::Plot& plot, const RadarS
 }
 
 std::optional<Parting> Bifurcation::partingOf(const TrackFile& tracks, const Detection& detection, RadarState& radar,
-                                              const Executive::Turn& turn) const {
+                                              const tws::SectorRef& turn) const {
   if (detection.claim != Detection::kNoClaim) return std::nullopt;
   const tws::Plot& plot = detection.plot;
   const Reach reach = partingReach(plot, radar);

@@ -33,7 +33,7 @@ std::size_t Correlator::smallestGate(const Track& track, double range_difference
   if (squared > greatest) {
     if (p.manoeuvre == 0.0) return kGates;
     // What only a hard manoeuvre explains comes last of all.
-    const Symmetric2 wide{p.innovation.xx + p.manoeuvre, p.innovation.xy, p.innovation.yy + p.manoeuvre};
+    const tws::Symmetric2 wide{p.innovation.xx + p.manoeuvre, p.innovation.xy, p.innovation.yy + p.manoeuvre};
     return wide.mahalanobis(range_difference, cross_range) <= kManoeuvreSigmas * kManoeuvreSigmas ? kGates - 1 : kGates;
   }
   std::size_t g = 0;

@@ -3,10 +3,10 @@
 #include <cstddef>
 #include <deque>
 
+#include <tws_core/antenna.h>
+#include <tws_core/site_frame.h>
 #include "adit_params.h"
-#include "core/antenna.h"
 #include "core/detection_file.h"
-#include "core/site_frame.h"
 
 namespace adit_tracker {
 
@@ -53,11 +53,11 @@ class RadarQuality {
 struct RadarState {
   RadarState(const RadarParams& params, bool learn) : antenna(params.period), quality(params, learn) {}
 
-  Antenna antenna;
+  tws::Antenna antenna;
   DetectionFile detections;
   RadarQuality quality;
   std::deque<tws::RadarSector> waiting;  // sectors that have come before their turn
-  SiteFrame frame;
+  tws::SiteFrame frame;
   std::size_t site = 0;
   bool joined = true;  // its site has sectors already
 };

@@ -6,8 +6,8 @@
 
 #include <tws_core/alpha_beta.h>
 
+#include <tws_core/multiple_model_filter.h>
 #include "core/reference_place.h"
-#include "core/turning_filter.h"
 #include "elevation/height_guess.h"
 
 namespace adit_tracker {
@@ -38,7 +38,7 @@ struct Prediction {
   std::uint32_t radar = 0;            // whose beam
   bool vague_height = false;          // a good deal of `innovation` comes of the unknown height
   // Of the innovation in range and cross-range [m²], the radar's own errors included. Statistical gates only.
-  Symmetric2 innovation;
+  tws::Symmetric2 innovation;
   double manoeuvre = 0.0;   // variance that a hard manoeuvre adds to each axis of it [m²]
   double log_volume = 0.0;  // ln(determinant of `innovation` / that of the radar's errors), ≥ 0
 };
@@ -46,7 +46,7 @@ struct Prediction {
 /// The place of the first detections, if they came from something that does not move: for telling clutter from targets.
 struct FixedPlace {
   double x = 0.0, y = 0.0;
-  Symmetric2 covariance;
+  tws::Symmetric2 covariance;
   double moving_evidence = 0.0;  // log-likelihood of movement minus that of this place
 };
 
@@ -77,7 +77,7 @@ struct alignas(64) Track {
   HeightGuess height_guess;                // where radars at several sites are joined
   FixedPlace fixed;
   ReferencePlace reference;  // NR: eight scans ago
-  std::variant<PolarFilter, TurningFilter> filter;
+  std::variant<PolarFilter, tws::MultipleModelFilter> filter;
 };
 
 }  // namespace adit_tracker

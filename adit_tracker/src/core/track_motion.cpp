@@ -14,7 +14,7 @@ double rangeOf(double x, double y) {
 
 double azimuthOf(double x, double y) { return tws::wrapTwoPi(std::atan2(x, y)); }
 
-Kinematics fromPlanar(const PlanarState& s, double time) {
+Kinematics fromPlanar(const tws::PlanarState& s, double time) {
   Kinematics k;
   k.time = time;
   k.x = s.x;
@@ -44,21 +44,21 @@ Kinematics fromPolar(double range, double azimuth, double range_rate, double azi
 }
 
 /// The covariance of a position in range and cross-range, as seen from the origin.
-Symmetric2 inPolar(const PlanarPosition& position, double range) {
+tws::Symmetric2 inPolar(const tws::PlanarPosition& position, double range) {
   const double s = position.x / range, c = position.y / range;
-  const Symmetric2& p = position.covariance;
+  const tws::Symmetric2& p = position.covariance;
   return {p.xx * s * s + 2.0 * p.xy * s * c + p.yy * c * c, (p.xx - p.yy) * s * c + p.xy * (c * c - s * s),
           p.xx * c * c - 2.0 * p.xy * s * c + p.yy * s * s};
 }
 
 /// Log-likelihood of a measurement under "it does not move", and the place improved by it.
-double updatePlace(FixedPlace& place, const PlanarPosition& z) {
-  const Symmetric2 s{place.covariance.xx + z.covariance.xx, place.covariance.xy + z.covariance.xy,
-                     place.covariance.yy + z.covariance.yy};
+double updatePlace(FixedPlace& place, const tws::PlanarPosition& z) {
+  const tws::Symmetric2 s{place.covariance.xx + z.covariance.xx, place.covariance.xy + z.covariance.xy,
+                          place.covariance.yy + z.covariance.yy};
   const double dx = z.x - place.x, dy = z.y - place.y, determinant = s.determinant();
   const double log_likelihood = -0.5 * (s.mahalanobis(dx, dy) + std::log(determinant)) - std::log(2.0 * tws::kPi);
-  const Symmetric2 w{s.yy / determinant, -s.xy / determinant, s.xx / determinant};
-  const Symmetric2 p = place.covariance;
+  const tws::Symmetric2 w{s.yy / determinant, -s.xy / determinant, s.xx / determinant};
+  const tws::Symmetric2 p = place.covariance;
   const double k[2][2] = {{p.xx * w.xx + p.xy * w.xy, p.xx * w.xy + p.xy * w.yy},
                           {p.xy * w.xx + p.yy * w.xy, p.xy * w.xy + p.yy * w.yy}};
   place.x += k[0][0] * dx + k[0][1] * dy;
@@ -69,8 +69,8 @@ double updatePlace(FixedPlace& place, const PlanarPosition& z) {
 }
 
 /// Moves all that is known of a track's place.
-void shift(Track& track, const PlanarPosition& by) {
-  std::get<TurningFilter>(track.filter).shift(by.x, by.y);
+void shift(Track& track, const tws::PlanarPosition& by) {
+  std::get<tws::MultipleModelFilter>(track.filter).shift(by.x, by.y);
   track.fixed.x += by.x;
   track.fixed.y += by.y;
 }
@@ -79,11 +79,11 @@ void shift(Track& track, const PlanarPosition& by) {
 
 TrackMotion::TrackMotion(const AditParams& params) : params_(params), alpha_beta_(params.alpha_beta) {}
 
-void TrackMotion::join(const std::vector<SiteFrame>& frames) {
+void TrackMotion::join(const std::vector<tws::SiteFrame>& frames) {
   frames_ = frames;
   joined_ = true;
   params_.turning.sites.clear();
-  for (const SiteFrame& frame : frames) params_.turning.sites.push_back({frame.x, frame.y});
+  for (const tws::SiteFrame& frame : frames) params_.turning.sites.push_back({frame.x, frame.y});
 }
 
 void TrackMotion::guessHeight(Track& track) const {
@@ -94,12 +94,12 @@ void TrackMotion::guessHeight(Track& track) const {
   const HeightGuess first = HeightGuess::below(params_.turning.assumed_height, k.range);
   guess.variance = first.variance;
   shift(track, guess.moveTo(first.squared));
-  track.smoothed = fromPlanar(std::get<TurningFilter>(track.filter).mean(), k.time);
+  track.smoothed = fromPlanar(std::get<tws::MultipleModelFilter>(track.filter).mean(), k.time);
 }
 
 void TrackMotion::relocate(Track& track, double x, double y) const {
   shift(track, {x - track.smoothed.x, y - track.smoothed.y, {}});
-  track.smoothed = fromPlanar(std::get<TurningFilter>(track.filter).mean(), track.smoothed.time);
+  track.smoothed = fromPlanar(std::get<tws::MultipleModelFilter>(track.filter).mean(), track.smoothed.time);
 }
 
 void TrackMotion::start(Track& track, const tws::Plot& plot, const RadarQuality& quality, std::size_t radar) const {
@@ -110,16 +110,17 @@ void TrackMotion::start(Track& track, const tws::Plot& plot, const RadarQuality&
     track.filter = PolarFilter{alpha_beta_.start(plot.range), alpha_beta_.start(plot.azimuth)};
     return;
   }
-  PlanarPosition z = planarMeasurement(plot.range, plot.azimuth, quality.rangeSigma(plot), quality.azimuthSigma(plot));
+  tws::PlanarPosition z =
+      tws::planarMeasurement(plot.range, plot.azimuth, quality.rangeSigma(plot), quality.azimuthSigma(plot));
   if (joined_) {
     track.height_guess = HeightGuess::below(params_.turning.assumed_height, plot.range);
     z = track.height_guess.begin(plot, quality.rangeSigma(plot), quality.azimuthSigma(plot), frames_[radar]);
-    PlanarState at_rest;
+    tws::PlanarState at_rest;
     at_rest.x = z.x;
     at_rest.y = z.y;
     track.smoothed = fromPlanar(at_rest, plot.time);
   }
-  track.filter.emplace<TurningFilter>().start(z, params_.turning);
+  track.filter.emplace<tws::MultipleModelFilter>().start(z, params_.turning);
   track.fixed = {z.x, z.y, z.covariance, 0.0};
 }
 
@@ -139,7 +140,7 @@ void TrackMotion::branch(Track& track, const Track& parent, const Parting& parti
   const double azimuth = joined_ ? frames_[radar].onPlane(parting.azimuth) : parting.azimuth;
   const double s = std::sin(azimuth), c = std::cos(azimuth);
   const double along = parting.sigma_along * parting.sigma_along, across = parting.sigma_across * parting.sigma_across;
-  TurningFilter& filter = std::get<TurningFilter>(track.filter);
+  tws::MultipleModelFilter& filter = std::get<tws::MultipleModelFilter>(track.filter);
   filter.setVelocity(its.vx + parting.rate_along * s + parting.rate_across * c,
                      its.vy + parting.rate_along * c - parting.rate_across * s,
                      {along * s * s + across * c * c, (along - across) * s * c, along * c * c + across * s * s});
@@ -172,10 +173,10 @@ void TrackMotion::updatePolar(Track& track, const tws::Plot& plot) const {
 }
 
 double TrackMotion::updateTurning(Track& track, const tws::Plot& plot, const RadarQuality& quality) const {
-  TurningFilter& filter = std::get<TurningFilter>(track.filter);
+  tws::MultipleModelFilter& filter = std::get<tws::MultipleModelFilter>(track.filter);
   const double dt = std::max(0.0, plot.time - track.smoothed.time);
-  const PlanarPosition z =
-      planarMeasurement(plot.range, plot.azimuth, quality.rangeSigma(plot), quality.azimuthSigma(plot));
+  const tws::PlanarPosition z =
+      tws::planarMeasurement(plot.range, plot.azimuth, quality.rangeSigma(plot), quality.azimuthSigma(plot));
   const double log_likelihood = filter.update(z, dt, params_.turning);
   if (!track.firm) track.fixed.moving_evidence += log_likelihood - updatePlace(track.fixed, z);
   track.smoothed = fromPlanar(filter.mean(), track.smoothed.time + dt);
@@ -185,13 +186,13 @@ double TrackMotion::updateTurning(Track& track, const tws::Plot& plot, const Rad
 /// The same, where another radar may stand elsewhere.
 double TrackMotion::updateJoined(Track& track, const tws::Plot& plot, const RadarQuality& quality,
                                  std::size_t radar) const {
-  TurningFilter& filter = std::get<TurningFilter>(track.filter);
+  tws::MultipleModelFilter& filter = std::get<tws::MultipleModelFilter>(track.filter);
   HeightGuess& guess = track.height_guess;
   const double dt = std::max(0.0, plot.time - track.smoothed.time);
   guess.age(dt, params_.turning.assumed_height);
   shift(track, guess.flatten(plot.range));
   const GuessedPlace z = guess.placeOf(plot, quality.rangeSigma(plot), quality.azimuthSigma(plot), frames_[radar]);
-  const PlanarPosition wider = guess.against(z), predicted = filter.predictPosition(dt, params_.turning);
+  const tws::PlanarPosition wider = guess.against(z), predicted = filter.predictPosition(dt, params_.turning);
   const double log_likelihood = filter.update(wider, dt, params_.turning);
   if (!track.firm) track.fixed.moving_evidence += log_likelihood - updatePlace(track.fixed, wider);
   shift(track, guess.learn(z, predicted, params_.turning.assumed_height));
@@ -203,27 +204,27 @@ Seen TrackMotion::seenBy(const Track& track, std::size_t radar, double time) con
   const Kinematics& k = track.smoothed;
   if (!joined_) return {k.range, k.azimuth, k.azimuth_rate};
   const double dt = time - k.time;
-  const PlanarView view = frames_[radar].view(k.x + k.vx * dt, k.y + k.vy * dt);
+  const tws::PlanarView view = frames_[radar].view(k.x + k.vx * dt, k.y + k.vy * dt);
   return {track.height_guess.slantRange(view.distance), view.azimuth,
           (view.north * k.vx - view.east * k.vy) / (view.distance * view.distance)};
 }
 
 double TrackMotion::squaredDistance(const Track& track, const tws::Plot& plot, double range_sigma, double azimuth_sigma,
-                                    const SiteFrame& site) const {
+                                    const tws::SiteFrame& site) const {
   const double dt = plot.time - track.smoothed.time;
   // Of one site, heights are alike; and h² of 0 lays slant range on the plane.
   const HeightGuess& guess = track.height_guess;
-  const PlanarPosition z = guess.against(guess.placeOf(plot, range_sigma, azimuth_sigma, site));
-  PlanarPosition there;
-  if (const auto* turning = std::get_if<TurningFilter>(&track.filter)) {
+  const tws::PlanarPosition z = guess.against(guess.placeOf(plot, range_sigma, azimuth_sigma, site));
+  tws::PlanarPosition there;
+  if (const auto* turning = std::get_if<tws::MultipleModelFilter>(&track.filter)) {
     there = turning->predictPosition(dt, params_.turning);
   } else {
     // Without a covariance the track counts as good as the plot itself.
     const Kinematics k = at(track, plot.time).kinematics;
     there = {k.x, k.y, z.covariance};
   }
-  const Symmetric2 S{there.covariance.xx + z.covariance.xx, there.covariance.xy + z.covariance.xy,
-                     there.covariance.yy + z.covariance.yy};
+  const tws::Symmetric2 S{there.covariance.xx + z.covariance.xx, there.covariance.xy + z.covariance.xy,
+                          there.covariance.yy + z.covariance.yy};
   return S.mahalanobis(z.x - there.x, z.y - there.y);
 }
 
@@ -233,9 +234,9 @@ Extrapolation TrackMotion::at(const Track& track, double time) const {
     return {fromPolar(polar->range.position + polar->range.velocity * dt,
                       polar->azimuth.position + polar->azimuth.velocity * dt, polar->range.velocity,
                       polar->azimuth.velocity, time),
-            false, PlanarState{}};
+            false, tws::PlanarState{}};
   }
-  const PlanarState planar = std::get<TurningFilter>(track.filter).predict(dt, params_.turning);
+  const tws::PlanarState planar = std::get<tws::MultipleModelFilter>(track.filter).predict(dt, params_.turning);
   Extrapolation there{fromPlanar(planar, time), true, planar};
   if (joined_) {
     Kinematics& k = there.kinematics;
@@ -257,7 +258,8 @@ void TrackMotion::predict(Track& track, std::size_t radar, double time, const Ra
     p.azimuth = tws::wrapTwoPi(polar->azimuth.position + polar->azimuth.velocity * dt);
     return;
   }
-  const PlanarPosition there = std::get<TurningFilter>(track.filter).predictPosition(dt, params_.turning);
+  const tws::PlanarPosition there =
+      std::get<tws::MultipleModelFilter>(track.filter).predictPosition(dt, params_.turning);
   if (joined_) {
     predictJoined(track, there, quality);
   } else {
@@ -271,23 +273,23 @@ void TrackMotion::predict(Track& track, std::size_t radar, double time, const Ra
   p.innovation.yy += cross;
   // Hardly any manoeuvre stays hard for longer; without the limit a coasting track would take any other target's plots.
   constexpr double kLongestManoeuvre = 8.0;  // [s]
-  const double manoeuvre = TurningFilter::manoeuvreSigma(std::min(dt, kLongestManoeuvre), params_.turning);
+  const double manoeuvre = tws::MultipleModelFilter::manoeuvreSigma(std::min(dt, kLongestManoeuvre), params_.turning);
   p.manoeuvre = manoeuvre * manoeuvre;
   p.log_volume = std::log(p.innovation.determinant() / (along * cross));
 }
 
 /// The place in the predicted radar's slant range and azimuth, with the covariance of the innovation but for the
 /// radar's own errors.
-void TrackMotion::predictJoined(Track& track, const PlanarPosition& there, const RadarQuality& quality) const {
+void TrackMotion::predictJoined(Track& track, const tws::PlanarPosition& there, const RadarQuality& quality) const {
   Prediction& p = track.predicted;
   const HeightGuess& guess = track.height_guess;
-  const PlanarView view = frames_[p.radar].view(there.x, there.y);
+  const tws::PlanarView view = frames_[p.radar].view(there.x, there.y);
   p.range = guess.slantRange(view.distance);
   p.azimuth = view.azimuth;
   const double ground = std::max(view.distance, 0.5 * p.range);
   const double slope = -0.5 / (ground * ground);
-  const PlanarPosition wider = guess.against({there, slope * view.east, slope * view.north});
-  const Symmetric2 on_plane = inPolar({view.east, view.north, wider.covariance}, view.distance);
+  const tws::PlanarPosition wider = guess.against({there, slope * view.east, slope * view.north});
+  const tws::Symmetric2 on_plane = inPolar({view.east, view.north, wider.covariance}, view.distance);
   const double known = inPolar({view.east, view.north, there.covariance}, view.distance).xx;
   const double flatter = ground / p.range;
   p.innovation = {on_plane.xx * flatter * flatter, on_plane.xy, on_plane.yy / (flatter * flatter)};

@@ -10,7 +10,7 @@ namespace adit_tracker {
 struct Extrapolation {
   Kinematics kinematics;
   bool has_covariance = false;
-  PlanarState planar;
+  tws::PlanarState planar;
 };
 
 /// A target that has parted from another one, as a radar sees it.
@@ -34,7 +34,7 @@ class TrackMotion {
   explicit TrackMotion(const AditParams& params);
 
   /// Where the radars stand, one frame a radar, from now on at more than one site. Needs the turning filter.
-  void join(const std::vector<SiteFrame>& frames);
+  void join(const std::vector<tws::SiteFrame>& frames);
   bool joined() const { return joined_; }
   /// Of a track that was started when there was one site.
   void guessHeight(Track& track) const;
@@ -59,7 +59,7 @@ class TrackMotion {
 
   /// Of a plot of another sensor from the track at the plot's time: in standard deviations of both, squared.
   double squaredDistance(const Track& track, const tws::Plot& plot, double range_sigma, double azimuth_sigma,
-                         const SiteFrame& site) const;
+                         const tws::SiteFrame& site) const;
 
   /// Sets track.predicted for an illumination by a radar.
   void predict(Track& track, std::size_t radar, double time, const RadarQuality& quality) const;
@@ -68,11 +68,11 @@ class TrackMotion {
   void updatePolar(Track& track, const tws::Plot& plot) const;
   double updateTurning(Track& track, const tws::Plot& plot, const RadarQuality& quality) const;
   double updateJoined(Track& track, const tws::Plot& plot, const RadarQuality& quality, std::size_t radar) const;
-  void predictJoined(Track& track, const PlanarPosition& there, const RadarQuality& quality) const;
+  void predictJoined(Track& track, const tws::PlanarPosition& there, const RadarQuality& quality) const;
 
   AditParams params_;
-  std::vector<SiteFrame> frames_;  // by radar, when they are at several sites
-  bool joined_ = false;            // are they at several sites?
+  std::vector<tws::SiteFrame> frames_;  // by radar, when they are at several sites
+  bool joined_ = false;                 // are they at several sites?
   tws::AdaptiveAlphaBeta alpha_beta_;
 };
 

@@ -165,7 +165,7 @@ TEST_F(TurningMotion, PolarAndPlanarStateAgree) {
 TEST_F(TurningMotion, TheInnovationIsInRangeAndCrossRange) {
   motion_.start(track_, plotAt(0.0, 100e3, 0.7), quality());
   motion_.predict(track_, 0, 0.0, quality());
-  const Symmetric2& s = track_.predicted.innovation;
+  const tws::Symmetric2& s = track_.predicted.innovation;
   EXPECT_NEAR(s.xx, 2.0 * 100.0 * 100.0, 1.0);  // The track's own error and the radar's.
   EXPECT_NEAR(s.yy, 2.0 * 300.0 * 300.0, 1.0);
   EXPECT_NEAR(s.xy, 0.0, 1.0);

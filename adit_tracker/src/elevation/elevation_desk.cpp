@@ -12,7 +12,7 @@ namespace {
 // The antenna enters this sector when the list is made …
 constexpr std::int64_t kListSector = 61;
 // … and the tracker has processed the one that needs all sectors up to there.
-constexpr std::int64_t kProcessedSector = kListSector - 1 - Executive::kSectorsAhead;
+constexpr std::int64_t kProcessedSector = kListSector - 1 - kSectorsAhead;
 
 bool isDropped(const SectorReport& report, TrackFile::Slot slot) {
   return std::any_of(report.words.begin(), report.words.end(),
@@ -67,7 +67,7 @@ void ElevationDesk::updateDesignations(Adit& adit, const SectorReport& report) {
 ElevationList ElevationDesk::list(const Adit& adit, std::int64_t running) {
   ElevationList list;
   const std::int64_t entered = running - running % tws::kSectors + kListSector;
-  list.time = adit.antenna(radar_).timeAt(Antenna::startOf(entered));
+  list.time = adit.antenna(radar_).timeAt(tws::Antenna::startOf(entered));
   const std::vector<ElevationSchedule::Uid> wanted = schedule_.next();
   if (wanted.empty()) return list;
   for (const auto slot : adit.living()) {
@@ -84,7 +84,7 @@ ElevationList ElevationDesk::list(const Adit& adit, std::int64_t running) {
 /// the turn ends meets its target just after: that meeting counts.
 ElevationSearch ElevationDesk::search(const Adit& adit, TrackFile::Slot slot, std::int64_t running) const {
   constexpr int kEnough = 4;  // steps; targets move little while the beam moves on by what they have moved
-  const double north = Antenna::startOf((running / tws::kSectors + 1) * tws::kSectors);
+  const double north = tws::Antenna::startOf((running / tws::kSectors + 1) * tws::kSectors);
   const double earliest = north + params_.lead;
   Seen there = adit.seenBy(slot, radar_, adit.antenna(radar_).timeAt(earliest));
   for (int step = 0; step < kEnough; ++step) {

@@ -16,7 +16,9 @@ constexpr double kClimbing = 1.5e11;
 constexpr double kMeanSquare = 1.0 / 3.0;
 constexpr double kSigmaSquare = 0.298;  // sqrt(1/5 - 1/9)
 
-Symmetric2 sumOf(const Symmetric2& a, const Symmetric2& b) { return {a.xx + b.xx, a.xy + b.xy, a.yy + b.yy}; }
+tws::Symmetric2 sumOf(const tws::Symmetric2& a, const tws::Symmetric2& b) {
+  return {a.xx + b.xx, a.xy + b.xy, a.yy + b.yy};
+}
 
 }  // namespace
 
@@ -36,11 +38,11 @@ bool HeightGuess::known() const {
 }
 
 GuessedPlace HeightGuess::placeOf(const tws::Plot& plot, double range_sigma, double azimuth_sigma,
-                                  const SiteFrame& site) const {
+                                  const tws::SiteFrame& site) const {
   const double r2 = plot.range * plot.range;
   const double ground = std::sqrt(std::max(r2 - squared, kFlattest * r2));
   const double azimuth = site.onPlane(plot.azimuth);
-  GuessedPlace z{planarMeasurement(ground, azimuth, range_sigma * plot.range / ground, azimuth_sigma), 0.0, 0.0};
+  GuessedPlace z{tws::planarMeasurement(ground, azimuth, range_sigma * plot.range / ground, azimuth_sigma), 0.0, 0.0};
   z.x_per_squared = -0.5 * z.place.x / (ground * ground);
   z.y_per_squared = -0.5 * z.place.y / (ground * ground);
   z.place.x += site.x;
@@ -48,33 +50,33 @@ GuessedPlace HeightGuess::placeOf(const tws::Plot& plot, double range_sigma, dou
   return z;
 }
 
-PlanarPosition HeightGuess::begin(const tws::Plot& plot, double range_sigma, double azimuth_sigma,
-                                  const SiteFrame& site) {
+tws::PlanarPosition HeightGuess::begin(const tws::Plot& plot, double range_sigma, double azimuth_sigma,
+                                       const tws::SiteFrame& site) {
   const GuessedPlace z = placeOf(plot, range_sigma, azimuth_sigma, site);
   x_per_squared = static_cast<float>(z.x_per_squared);
   y_per_squared = static_cast<float>(z.y_per_squared);
   return z.place;
 }
 
-PlanarPosition HeightGuess::against(const GuessedPlace& z) const {
+tws::PlanarPosition HeightGuess::against(const GuessedPlace& z) const {
   const double dx = z.x_per_squared - x_per_squared, dy = z.y_per_squared - y_per_squared;
-  PlanarPosition wider = z.place;
+  tws::PlanarPosition wider = z.place;
   wider.covariance = sumOf(wider.covariance, {variance * dx * dx, variance * dx * dy, variance * dy * dy});
   return wider;
 }
 
-Symmetric2 HeightGuess::widened(const Symmetric2& position) const {
+tws::Symmetric2 HeightGuess::widened(const tws::Symmetric2& position) const {
   const double x = x_per_squared, y = y_per_squared;
   return sumOf(position, {variance * x * x, variance * x * y, variance * y * y});
 }
 
-PlanarPosition HeightGuess::moveTo(double new_squared) {
+tws::PlanarPosition HeightGuess::moveTo(double new_squared) {
   const double change = new_squared - squared;
   squared = static_cast<float>(new_squared);
   return {x_per_squared * change, y_per_squared * change, {}};
 }
 
-PlanarPosition HeightGuess::flatten(double slant_range) {
+tws::PlanarPosition HeightGuess::flatten(double slant_range) {
   constexpr double kSure = 0.1;        // of the height's square, as share of it
   constexpr double kStraightUp = 0.9;  // a target that is known to be high may pass overhead
   const double share = variance < kSure * squared * squared ? kStraightUp : kSteepest;
@@ -86,10 +88,10 @@ void HeightGuess::age(double dt, double greatest) {
   variance = static_cast<float>(std::min(variance + kClimbing * dt, std::max<double>(variance, sigma * sigma)));
 }
 
-PlanarPosition HeightGuess::learn(const GuessedPlace& z, const PlanarPosition& predicted, double greatest) {
-  const Symmetric2 S = sumOf(predicted.covariance, against(z).covariance), P = predicted.covariance;
+tws::PlanarPosition HeightGuess::learn(const GuessedPlace& z, const tws::PlanarPosition& predicted, double greatest) {
+  const tws::Symmetric2 S = sumOf(predicted.covariance, against(z).covariance), P = predicted.covariance;
   const double inverse = 1.0 / S.determinant();
-  const Symmetric2 W{S.yy * inverse, -S.xy * inverse, S.xx * inverse};
+  const tws::Symmetric2 W{S.yy * inverse, -S.xy * inverse, S.xx * inverse};
   const double dx = z.x_per_squared - x_per_squared, dy = z.y_per_squared - y_per_squared;
   const double wx = W.xx * dx + W.xy * dy, wy = W.xy * dx + W.yy * dy;
   const double error = variance * (wx * (z.place.x - predicted.x) + wy * (z.place.y - predicted.y));

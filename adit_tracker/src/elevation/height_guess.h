@@ -2,14 +2,14 @@
 
 #include <tws_core/plot.h>
 
-#include "core/site_frame.h"
-#include "core/turning_filter.h"
+#include <tws_core/multiple_model_filter.h>
+#include <tws_core/site_frame.h>
 
 namespace adit_tracker {
 
 /// A plot, or a place where a plot may come from, on the plane, under a guess of the target's height.
 struct GuessedPlace {
-  PlanarPosition place;                 // covariance: of the radar's own errors, or of the prediction
+  tws::PlanarPosition place;            // covariance: of the radar's own errors, or of the prediction
   double x_per_squared, y_per_squared;  // how it changes with the height's square [1/m]
 };
 
@@ -30,24 +30,26 @@ struct HeightGuess {
   /// Have sites told it to about a kilometre?
   bool known() const;
   double slantRange(double ground_range) const { return std::sqrt(ground_range * ground_range + squared); }
-  GuessedPlace placeOf(const tws::Plot& plot, double range_sigma, double azimuth_sigma, const SiteFrame& site) const;
+  GuessedPlace placeOf(const tws::Plot& plot, double range_sigma, double azimuth_sigma,
+                       const tws::SiteFrame& site) const;
   /// The same of a track's first plot: it is the track's place.
-  PlanarPosition begin(const tws::Plot& plot, double range_sigma, double azimuth_sigma, const SiteFrame& site);
+  tws::PlanarPosition begin(const tws::Plot& plot, double range_sigma, double azimuth_sigma,
+                            const tws::SiteFrame& site);
   /// Adds to the covariance of a place what comes of the height: its error moves track and place differently.
-  PlanarPosition against(const GuessedPlace& place) const;
+  tws::PlanarPosition against(const GuessedPlace& place) const;
 
   /// The covariance of the track's position, with what comes of the height.
-  Symmetric2 widened(const Symmetric2& position) const;
+  tws::Symmetric2 widened(const tws::Symmetric2& position) const;
   /// The track's displacement, when a height that nobody is sure of is not thought to be steeper than 30° at that slant
   /// range [m].
-  PlanarPosition flatten(double slant_range);
+  tws::PlanarPosition flatten(double slant_range);
   /// `dt` [s] have passed, in which the target may have climbed.
   void age(double dt, double greatest);
   /// Learns from a place that is used to correct the prediction (both without what comes of the height). Returns by how
   /// much the corrected track is to be moved [m].
-  PlanarPosition learn(const GuessedPlace& place, const PlanarPosition& predicted, double greatest);
+  tws::PlanarPosition learn(const GuessedPlace& place, const tws::PlanarPosition& predicted, double greatest);
   /// Another guess; returns the track's displacement by it.
-  PlanarPosition moveTo(double new_squared);
+  tws::PlanarPosition moveTo(double new_squared);
 };
 
 }  // namespace adit_tracker

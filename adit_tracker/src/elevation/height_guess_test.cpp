@@ -10,9 +10,9 @@ namespace {
 
 // If these fail, radars at different sites place a target at different places: one aircraft becomes two tracks.
 
-tws::Plot seen(double x, double y, double height, const SiteFrame& site) {
+tws::Plot seen(double x, double y, double height, const tws::SiteFrame& site) {
   tws::Plot plot;
-  const PlanarView view = site.view(x, y);
+  const tws::PlanarView view = site.view(x, y);
   plot.range = std::hypot(view.distance, height);
   plot.azimuth = view.azimuth;
   return plot;
@@ -33,18 +33,18 @@ TEST(HeightGuess, NobodyLooksSteeperThanThirtyDegrees) {
 }
 
 TEST(HeightGuess, WithTheRightHeightBothSitesPlaceATargetWhereItIs) {
-  const SiteFrame island{38e3, 12e3, 0.008};
+  const tws::SiteFrame island{38e3, 12e3, 0.008};
   HeightGuess guess;
   guess.squared = 49e6F;
-  for (const SiteFrame& site : {SiteFrame{}, island}) {
-    const PlanarPosition place = guess.placeOf(seen(25e3, -40e3, 7e3, site), 100.0, 0.005, site).place;
+  for (const tws::SiteFrame& site : {tws::SiteFrame{}, island}) {
+    const tws::PlanarPosition place = guess.placeOf(seen(25e3, -40e3, 7e3, site), 100.0, 0.005, site).place;
     EXPECT_NEAR(place.x, 25e3, 1e-3);
     EXPECT_NEAR(place.y, -40e3, 1e-3);
   }
 }
 
 TEST(HeightGuess, SaysByHowMuchAPlaceMovesWithTheHeight) {
-  const SiteFrame island{38e3, 12e3, 0.008};
+  const tws::SiteFrame island{38e3, 12e3, 0.008};
   const tws::Plot plot = seen(25e3, -40e3, 7e3, island);
   HeightGuess low, high;
   low.squared = 48e6F;
@@ -55,10 +55,10 @@ TEST(HeightGuess, SaysByHowMuchAPlaceMovesWithTheHeight) {
 }
 
 TEST(HeightGuess, OneSiteAloneLearnsNothing) {
-  const SiteFrame ship;
+  const tws::SiteFrame ship;
   const tws::Plot plot = seen(25e3, -40e3, 7e3, ship);
   HeightGuess guess = HeightGuess::below(10e3, plot.range);
-  const PlanarPosition track = guess.begin(plot, 100.0, 0.005, ship);
+  const tws::PlanarPosition track = guess.begin(plot, 100.0, 0.005, ship);
   const float before = guess.variance;
   guess.learn(guess.placeOf(plot, 100.0, 0.005, ship), track, 10e3);
   EXPECT_NEAR(guess.variance / before, 1.0, 1e-3);
@@ -68,7 +68,7 @@ TEST(HeightGuess, OneSiteAloneLearnsNothing) {
 TEST(HeightGuess, TwoSitesTellTheHeight) {
   auto generator = tws::seededGenerator();
   std::normal_distribution<double> normal;
-  const SiteFrame ship, island{38e3, 12e3, 0.008};
+  const tws::SiteFrame ship, island{38e3, 12e3, 0.008};
   double squares = 0.0;
   const int trials = 400;
   for (int i = 0; i < trials; ++i) {
@@ -77,7 +77,7 @@ TEST(HeightGuess, TwoSitesTellTheHeight) {
     first.range += 30.0 * normal(generator);
     second.range += 30.0 * normal(generator);
     HeightGuess guess = HeightGuess::below(10e3, first.range);
-    const PlanarPosition track = guess.begin(first, 30.0, 1e-4, ship);
+    const tws::PlanarPosition track = guess.begin(first, 30.0, 1e-4, ship);
     guess.learn(guess.placeOf(second, 30.0, 1e-4, island), track, 10e3);
     const double error = guess.squared - height * height;
     squares += error * error / guess.variance;

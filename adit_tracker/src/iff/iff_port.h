@@ -39,7 +39,7 @@ class IffPort {
   struct Interrogator {
     std::string name, frame;
     std::deque<tws::RadarSector> waiting;  // in the order in which they came
-    std::optional<SiteFrame> site;
+    std::optional<tws::SiteFrame> site;
     bool site_unknown = false;
     bool gone_back = true;  // after the radars
   };

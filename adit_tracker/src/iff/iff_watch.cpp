@@ -41,7 +41,7 @@ IffWatch::IffWatch(const std::vector<IffParams>& params) {
   for (const IffParams& each : params) interrogators_.emplace_back().params = each;
 }
 
-bool IffWatch::add(std::size_t iff, tws::RadarSector sector, const SiteFrame& site) {
+bool IffWatch::add(std::size_t iff, tws::RadarSector sector, const tws::SiteFrame& site) {
   if (sector.leave_time + kDelay <= applied_) return false;
   auto& waiting = interrogators_.at(iff).waiting;
   const auto later = [](double time, const Sector& other) { return time < other.heard.leave_time; };

@@ -6,8 +6,8 @@
 
 #include <tws_core/plot.h>
 
+#include <tws_core/site_frame.h>
 #include "adit_params.h"
-#include "core/site_frame.h"
 #include "core/track_file.h"
 #include "core/track_motion.h"
 
@@ -26,7 +26,7 @@ class IffWatch {
 
   /// Takes in what a secondary radar (index in the parameters) has received while its beam crossed a sector. False: it
   /// comes too late, and is left out. Plots must be finite with range > 0.
-  bool add(std::size_t iff, tws::RadarSector sector, const SiteFrame& site);
+  bool add(std::size_t iff, tws::RadarSector sector, const tws::SiteFrame& site);
 
   /// Before a sector that a radar entered at `time` [s] is processed: sets and clears Track::answers_iff.
   void apply(double time, TrackFile& tracks, const TrackMotion& motion);
@@ -34,7 +34,7 @@ class IffWatch {
  private:
   struct Sector {
     tws::RadarSector heard;
-    SiteFrame site;
+    tws::SiteFrame site;
   };
   /// A track that answers.
   struct Answer {

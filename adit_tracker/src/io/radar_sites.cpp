@@ -32,7 +32,7 @@ bool RadarSites::findOrigin(std::size_t radar, bool patient) {
   return true;
 }
 
-SiteFrame RadarSites::onPlane(const Site& site) const {
+tws::SiteFrame RadarSites::onPlane(const Site& site) const {
   const double c = std::cos(origin_->turn), s = std::sin(origin_->turn);
   const double dx = site.x - origin_->x, dy = site.y - origin_->y;
   return {c * dx + s * dy, c * dy - s * dx, site.turn - origin_->turn};
@@ -46,8 +46,8 @@ bool RadarSites::find(std::size_t radar, bool patient) {
   if (!site && patient) return false;
   const std::string& name = radars_[radar];
   if (!site) bus_.counter("unknown sites").add("no transform from " + name + " to " + frame_ + ": " + why);
-  frames_[radar] = site ? onPlane(*site) : SiteFrame{};
-  usable_[radar] = joins_ || sameSite(*frames_[radar], SiteFrame{});
+  frames_[radar] = site ? onPlane(*site) : tws::SiteFrame{};
+  usable_[radar] = joins_ || tws::sameSite(*frames_[radar], tws::SiteFrame{});
   if (!usable_[radar]) {
     bus_.counter("radars at another site")
         .add(name + " stands " + std::to_string(std::lround(std::hypot(frames_[radar]->x, frames_[radar]->y))) +

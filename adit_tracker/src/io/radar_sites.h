@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "core/site_frame.h"
+#include <tws_core/site_frame.h>
 
 namespace adit_tracker {
 
@@ -31,9 +31,9 @@ class RadarSites {
   /// Is the radar to take part? Once find() has said true.
   bool usable(std::size_t radar) const { return usable_[radar]; }
   /// Where it stands on the plane of the origin. Once find() has said true.
-  const SiteFrame& frame(std::size_t radar) const { return *frames_[radar]; }
+  const tws::SiteFrame& frame(std::size_t radar) const { return *frames_[radar]; }
   /// Any place as it lies on that plane. Once find() has said true.
-  SiteFrame onPlane(const tws_runtime::Site& site) const;
+  tws::SiteFrame onPlane(const tws_runtime::Site& site) const;
   /// The first radar's site; of the first one that is heard, when the first radar has none. Once find() has said true.
   const tws_runtime::Site& origin() const { return *origin_; }
 
@@ -46,7 +46,7 @@ class RadarSites {
   std::vector<std::string> radars_;
   bool joins_;
   FrameOf frame_of_;
-  std::vector<std::optional<SiteFrame>> frames_;
+  std::vector<std::optional<tws::SiteFrame>> frames_;
   std::vector<bool> usable_;
   std::optional<tws_runtime::Site> origin_;
 };

@@ -87,7 +87,7 @@ tws_msgs::TrackerStatus statusMessage(const Adit& adit, const NodeState& state) 
   const std::vector<std::size_t> ready = adit.ready();
   for (std::size_t i = 0; i < ready.size(); ++i) {
     message.radars.push_back(adit.params().radars[i].name);
-    message.sector_lag.push_back(word(Executive::kSectorsAhead + ready[i]));
+    message.sector_lag.push_back(word(kSectorsAhead + ready[i]));
     message.stale.push_back(adit.silent(i));
   }
   message.elevation_searches = countOf(adit, [](const Track& track) { return track.designated; });

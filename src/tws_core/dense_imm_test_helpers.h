@@ -3,9 +3,9 @@
 #include <Eigen/Dense>
 #include <cmath>
 
-#include "core/turning_filter.h"
+#include <tws_core/multiple_model_filter.h>
 
-namespace adit_tracker {
+namespace tws {
 
 using Vector4 = Eigen::Vector4d;
 using Matrix4 = Eigen::Matrix4d;
@@ -47,8 +47,8 @@ inline Matrix4 whiteAcceleration(double dt, double q) {
 }
 
 /// Neither slant range nor hard manoeuvres: what the textbook has.
-inline TurningFilterParams textbook() {
-  TurningFilterParams params;
+inline MultipleModelParams textbook() {
+  MultipleModelParams params;
   params.assumed_height = 0.0;
   params.manoeuvre_acceleration = 0.0;
   return params;
@@ -62,7 +62,7 @@ inline double gaussian(double squared, double determinant) {
 /// Navigation", section 11.6.6, with dense matrices.
 struct DenseImm {
   static constexpr int kModels = 3;
-  TurningFilterParams params = textbook();
+  MultipleModelParams params = textbook();
   Vector4 x[kModels];
   Matrix4 p[kModels];
   double mu[kModels];
@@ -141,4 +141,4 @@ struct DenseImm {
   }
 };
 
-}  // namespace adit_tracker
+}  // namespace tws

@@ -1,18 +1,18 @@
-#include "core/turning_filter.h"
+#include <tws_core/multiple_model_filter.h>
 
 #include <gtest/gtest.h>
 
 #include <tws_core/random_test_helpers.h>
 
-#include "core/dense_imm_test_helpers.h"
+#include <tws_core/dense_imm_test_helpers.h>
 
-namespace adit_tracker {
+namespace tws {
 namespace {
 
 PlanarPosition randomMeasurement(std::mt19937_64& generator, double x, double y) {
-  const double a = tws::uniform(generator, 50.0, 500.0), b = tws::uniform(generator, 50.0, 500.0);
+  const double a = uniform(generator, 50.0, 500.0), b = uniform(generator, 50.0, 500.0);
   PlanarPosition z;
-  z.covariance = {a * a, tws::uniform(generator, -0.8, 0.8) * a * b, b * b};
+  z.covariance = {a * a, uniform(generator, -0.8, 0.8) * a * b, b * b};
   std::normal_distribution<double> normal;
   const double u = normal(generator), v = normal(generator);
   const Eigen::Vector2d error = denseOf(z.covariance).llt().matrixL() * Eigen::Vector2d(u, v);
@@ -26,19 +26,19 @@ void expectNear(const Matrix4& a, const Matrix4& b, double relative) {
 }
 
 // If this fails, every track of the set `default` is wrong: position, speed, gate, chance of existence.
-TEST(TurningFilter, DoesWhatTheTextbookDoesWithDenseMatrices) {
-  auto generator = tws::seededGenerator();
+TEST(MultipleModelFilter, DoesWhatTheTextbookDoesWithDenseMatrices) {
+  auto generator = seededGenerator();
   for (int run = 0; run < 50; ++run) {
     DenseImm dense;
-    dense.params.turn_rate = tws::uniform(generator, 0.005, 0.4);
-    dense.params.turning_time = tws::uniform(generator, 5.0, 100.0);
-    TurningFilter filter;
+    dense.params.turn_rate = uniform(generator, 0.005, 0.4);
+    dense.params.turning_time = uniform(generator, 5.0, 100.0);
+    MultipleModelFilter filter;
     double x = 40e3, y = -30e3;
     const PlanarPosition first = randomMeasurement(generator, x, y);
     filter.start(first, dense.params);
     dense.start(first);
     for (int k = 0; k < 20; ++k) {
-      const double dt = tws::uniform(generator, 0.0, 8.0);
+      const double dt = uniform(generator, 0.0, 8.0);
       x += 150.0 * dt;
       y -= 80.0 * dt;
       const PlanarPosition z = randomMeasurement(generator, x, y);
@@ -62,12 +62,12 @@ TEST(TurningFilter, DoesWhatTheTextbookDoesWithDenseMatrices) {
 }
 
 // If this fails, a target in straight flight is followed worse than one plain Kalman filter would.
-TEST(TurningFilter, IsOneKalmanFilterWhenNothingEverTurns) {
-  auto generator = tws::seededGenerator();
-  TurningFilterParams params = textbook();
+TEST(MultipleModelFilter, IsOneKalmanFilterWhenNothingEverTurns) {
+  auto generator = seededGenerator();
+  MultipleModelParams params = textbook();
   params.straight_time = 1e9;
   params.turning_time = 1e-6;
-  TurningFilter filter;
+  MultipleModelFilter filter;
   const PlanarPosition first = randomMeasurement(generator, 10e3, 20e3);
   filter.start(first, params);
   Vector4 x(first.x, first.y, 0.0, 0.0);
@@ -109,15 +109,15 @@ Vector4 walk(Vector4 s, double dt, double turn_rate, double density, std::mt1993
 }
 
 // If this fails, gates are too narrow (tracks lost) or too wide (tracks stolen).
-TEST(TurningFilter, PredictsTheSpreadOfSimulatedFlights) {
-  auto generator = tws::seededGenerator();
+TEST(MultipleModelFilter, PredictsTheSpreadOfSimulatedFlights) {
+  auto generator = seededGenerator();
   constexpr int kFlights = 40000;
   constexpr double kTime = 6.0;
-  const TurningFilterParams params = textbook();
+  const MultipleModelParams params = textbook();
   PlanarPosition z;
   z.x = 1000.0;
   z.covariance = {90000.0, 20000.0, 40000.0};
-  TurningFilter filter;
+  MultipleModelFilter filter;
   filter.start(z, params);
   const Eigen::Matrix2d root = denseOf(z.covariance).llt().matrixL();
   std::normal_distribution<double> normal;
@@ -129,7 +129,7 @@ TEST(TurningFilter, PredictsTheSpreadOfSimulatedFlights) {
         Eigen::Vector2d(z.x, z.y) + root * Eigen::Vector2d(normal(generator), normal(generator));
     const Vector4 begin(position[0], position[1], params.speed_sigma * normal(generator),
                         params.speed_sigma * normal(generator));
-    const double u = tws::uniform(generator, 0.0, 1.0);
+    const double u = uniform(generator, 0.0, 1.0);
     const double rate = u < straight ? 0.0 : (u < 0.5 * (1.0 + straight) ? params.turn_rate : -params.turn_rate);
     const Vector4 end =
         walk(begin, kTime, rate, rate == 0.0 ? params.straight_acceleration : params.turning_acceleration, generator);
@@ -141,18 +141,18 @@ TEST(TurningFilter, PredictsTheSpreadOfSimulatedFlights) {
 }
 
 // If this fails, the chance of existence weighs evidence by a wrong scale, and false tracks live or true ones die.
-TEST(TurningFilter, GivesALikelihoodThatSumsUpToOne) {
-  TurningFilterParams params = textbook();
+TEST(MultipleModelFilter, GivesALikelihoodThatSumsUpToOne) {
+  MultipleModelParams params = textbook();
   params.speed_sigma = 30.0;
   PlanarPosition z;
   z.covariance = {10000.0, 3000.0, 20000.0};
-  TurningFilter started;
+  MultipleModelFilter started;
   started.start(z, params);
   constexpr double kCell = 25.0, kReach = 2000.0;
   double sum = 0.0;
   for (int i = 0; i < 160; ++i) {
     for (int j = 0; j < 160; ++j) {
-      TurningFilter filter = started;
+      MultipleModelFilter filter = started;
       z.x = -kReach + kCell * i;
       z.y = -kReach + kCell * j;
       sum += std::exp(filter.update(z, 5.0, params)) * kCell * kCell;
@@ -162,7 +162,7 @@ TEST(TurningFilter, GivesALikelihoodThatSumsUpToOne) {
 }
 
 /// Mean of the normalised squared error of the four state components after some updates, over many flights.
-double meanSquaredError(const TurningFilterParams& params, bool turns, std::mt19937_64& generator) {
+double meanSquaredError(const MultipleModelParams& params, bool turns, std::mt19937_64& generator) {
   constexpr int kFlights = 500, kUpdates = 15;
   constexpr double kStep = 4.0;
   std::normal_distribution<double> normal;
@@ -170,11 +170,11 @@ double meanSquaredError(const TurningFilterParams& params, bool turns, std::mt19
   for (int flight = 0; flight < kFlights; ++flight) {
     Vector4 truth(50e3, 20e3, params.speed_sigma * normal(generator), params.speed_sigma * normal(generator));
     const double straight = params.straight_time / (params.straight_time + params.turning_time);
-    int model = turns && tws::uniform(generator, 0.0, 1.0) > straight ? 1 : 0;
-    TurningFilter filter;
+    int model = turns && uniform(generator, 0.0, 1.0) > straight ? 1 : 0;
+    MultipleModelFilter filter;
     for (int k = 0; k <= kUpdates; ++k) {
       if (k > 0) {
-        const double u = tws::uniform(generator, 0.0, 1.0);
+        const double u = uniform(generator, 0.0, 1.0);
         const double change = 1.0 - std::exp(-kStep / (model == 0 ? params.straight_time : params.turning_time));
         if (turns && u < change) model = model == 0 ? (u < change / 2.0 ? 1 : 2) : 0;
         const double rate = model == 0 ? 0.0 : (model == 1 ? params.turn_rate : -params.turn_rate);
@@ -199,9 +199,9 @@ double meanSquaredError(const TurningFilterParams& params, bool turns, std::mt19
 }
 
 // If this fails, the covariance that consumers of the tracks see is a lie for straight flights.
-TEST(TurningFilter, KnowsItsOwnErrorInStraightFlight) {
-  auto generator = tws::seededGenerator();
-  TurningFilterParams params = textbook();
+TEST(MultipleModelFilter, KnowsItsOwnErrorInStraightFlight) {
+  auto generator = seededGenerator();
+  MultipleModelParams params = textbook();
   params.straight_time = 1e6;
   params.turning_time = 0.1;
   // χ² with 4 · 500 degrees of freedom, divided by 500: 4 ± 0.126; four standard deviations.
@@ -209,17 +209,17 @@ TEST(TurningFilter, KnowsItsOwnErrorInStraightFlight) {
 }
 
 // The mixture is merged into Gaussians, so that exact consistency cannot be asked for in turns: within a quarter.
-TEST(TurningFilter, KnowsItsOwnErrorRoughlyInTurns) {
-  auto generator = tws::seededGenerator();
+TEST(MultipleModelFilter, KnowsItsOwnErrorRoughlyInTurns) {
+  auto generator = seededGenerator();
   const double error = meanSquaredError(textbook(), true, generator);
   EXPECT_GT(error, 3.0);
   EXPECT_LT(error, 5.0);
 }
 
 // If this fails, an aircraft that holds is lost at the first turn.
-TEST(TurningFilter, SeesThatATargetTurns) {
-  const TurningFilterParams params = textbook();
-  TurningFilter filter;
+TEST(MultipleModelFilter, SeesThatATargetTurns) {
+  const MultipleModelParams params = textbook();
+  MultipleModelFilter filter;
   for (int k = 0; k < 30; ++k) {
     const double t = 4.0 * k, turned = k < 15 ? 0.0 : params.turn_rate * (t - 60.0);
     PlanarPosition z;
@@ -239,8 +239,8 @@ TEST(TurningFilter, SeesThatATargetTurns) {
 }
 
 /// A track that has flown straight to the east over (0, 30 km) at 200 m/s.
-TurningFilter straightFlight(const TurningFilterParams& params) {
-  TurningFilter filter;
+MultipleModelFilter straightFlight(const MultipleModelParams& params) {
+  MultipleModelFilter filter;
   PlanarPosition z;
   z.y = 30e3;
   z.covariance = {10000.0, 0.0, 10000.0};
@@ -253,13 +253,13 @@ TurningFilter straightFlight(const TurningFilterParams& params) {
 }
 
 // If this fails, a fighter that breaks away loses its track.
-TEST(TurningFilter, FollowsAHardManoeuvreAtOnce) {
-  TurningFilterParams params = textbook();
+TEST(MultipleModelFilter, FollowsAHardManoeuvreAtOnce) {
+  MultipleModelParams params = textbook();
   PlanarPosition z;
   z.x = 8000.0;
   z.y = 30e3 + 2000.0;  // 250 m/s² for 4 s: no turning model comes near.
   z.covariance = {10000.0, 0.0, 10000.0};
-  TurningFilter without = straightFlight(params), with = without;
+  MultipleModelFilter without = straightFlight(params), with = without;
   const double unexplained = without.update(z, 4.0, params);
   params.manoeuvre_acceleration = 250.0;
   const double explained = with.update(z, 4.0, params);
@@ -268,19 +268,19 @@ TEST(TurningFilter, FollowsAHardManoeuvreAtOnce) {
   EXPECT_NEAR(with.mean().vy, 1000.0, 60.0);  // 2000 m = ½ a t², v = a t.
 }
 
-TEST(TurningFilter, ManoeuvresChangeNothingWhileTheModelsExplainThePlots) {
-  TurningFilterParams params = textbook();
+TEST(MultipleModelFilter, ManoeuvresChangeNothingWhileTheModelsExplainThePlots) {
+  MultipleModelParams params = textbook();
   const Vector4 without = meanOf(straightFlight(params).mean());
   params.manoeuvre_acceleration = 10.0;
   EXPECT_EQ(meanOf(straightFlight(params).mean()), without);
 }
 
 // If this fails, a user who switches manoeuvres off still has their penalty: far plots weigh a hundredth.
-TEST(TurningFilter, WithoutManoeuvresAFarPlotHasTheTextbooksLikelihood) {
+TEST(MultipleModelFilter, WithoutManoeuvresAFarPlotHasTheTextbooksLikelihood) {
   DenseImm dense;
   PlanarPosition z;
   z.covariance = {10000.0, 0.0, 10000.0};
-  TurningFilter filter;
+  MultipleModelFilter filter;
   filter.start(z, dense.params);
   dense.start(z);
   z.x = 6000.0;  // 150 m/s for 4 s is one standard deviation.
@@ -288,10 +288,10 @@ TEST(TurningFilter, WithoutManoeuvresAFarPlotHasTheTextbooksLikelihood) {
 }
 
 // If this fails, aircraft at a height are lost when they pass near the site.
-TEST(TurningFilter, AFlightAtTheAssumedHeightStaysWithinItsGateNearTheSite) {
-  TurningFilterParams params = textbook();
+TEST(MultipleModelFilter, AFlightAtTheAssumedHeightStaysWithinItsGateNearTheSite) {
+  MultipleModelParams params = textbook();
   params.assumed_height = 10e3;
-  TurningFilter filter;
+  MultipleModelFilter filter;
   for (int k = 0; k <= 60; ++k) {
     const double t = 4.0 * k, x = -30e3 + 250.0 * t, y = 10e3;
     const double slant = std::sqrt(x * x + y * y + 1e8), azimuth = std::atan2(x, y);
@@ -329,4 +329,4 @@ TEST(Symmetric2, GivesTheSquaredDistanceInStandardDeviations) {
 }
 
 }  // namespace
-}  // namespace adit_tracker
+}  // namespace tws

@@ -5,7 +5,7 @@
 
 #include <tws_core/angles.h>
 
-namespace adit_tracker {
+namespace tws {
 
 /// A direction and distance on the plane, as seen from a site.
 struct PlanarView {
@@ -14,7 +14,7 @@ struct PlanarView {
   double azimuth;      // from the site's own north [rad], [0, 2π)
 };
 
-/// Where radars stand on the tracker's plane, the origin of which is the first radar's site.
+/// Where a radar stands on the plane that a tracker of several sites works on; the plane's origin is the first site.
 struct SiteFrame {
   double x = 0.0, y = 0.0;  // x along the first site's east, y along its north [m]
   double turn = 0.0;        // of the site's own axes against these, anticlockwise [rad]: meridians converge
@@ -22,7 +22,7 @@ struct SiteFrame {
   PlanarView view(double plane_x, double plane_y) const {
     const double east = plane_x - x, north = plane_y - y;
     return {east, north, std::max(std::sqrt(east * east + north * north), 1.0),
-            tws::wrapTwoPi(std::atan2(east, north) + turn)};
+            wrapTwoPi(std::atan2(east, north) + turn)};
   }
   /// An azimuth measured at the site, against the plane's y axis [rad].
   double onPlane(double azimuth) const { return azimuth - turn; }
@@ -34,4 +34,4 @@ inline bool sameSite(const SiteFrame& a, const SiteFrame& b) {
   return std::hypot(a.x - b.x, a.y - b.y) <= kSameSite;
 }
 
-}  // namespace adit_tracker
+}  // namespace tws

@@ -1,15 +1,15 @@
-#include "core/turning_filter.h"
+#include <tws_core/multiple_model_filter.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-namespace adit_tracker {
+namespace tws {
 namespace {
 
 constexpr double kLogTwoPi = 1.83787706640934548356;
-using States = std::array<PlanarState, TurningFilter::kModels>;
-using Weights = std::array<double, TurningFilter::kModels>;
+using States = std::array<PlanarState, MultipleModelFilter::kModels>;
+using Weights = std::array<double, MultipleModelFilter::kModels>;
 
 /// How position and velocity turn in a time step: p += A v, v = C v, with A = [a -b; b a] and C = [c -d; d c].
 struct Motion {
@@ -17,7 +17,7 @@ struct Motion {
 };
 
 /// Exact for a constant turn rate [rad/s], anticlockwise positive.
-std::array<Motion, TurningFilter::kModels> motions(double dt, double turn_rate) {
+std::array<Motion, MultipleModelFilter::kModels> motions(double dt, double turn_rate) {
   const double sine = std::sin(turn_rate * dt), cosine = std::cos(turn_rate * dt);
   const double a = sine / turn_rate, b = (1.0 - cosine) / turn_rate;
   return {Motion{dt, 0.0, 1.0, 0.0}, Motion{a, b, cosine, sine}, Motion{a, -b, cosine, -sine}};
@@ -134,7 +134,7 @@ PlanarState merged(const States& states, const Weights& weights) {
 }
 
 /// Of the nearest site [m²].
-double squaredDistance(const PlanarState& s, const TurningFilterParams& params) {
+double squaredDistance(const PlanarState& s, const MultipleModelParams& params) {
   if (params.sites.empty()) return s.x * s.x + s.y * s.y;
   double least = std::numeric_limits<double>::infinity();
   for (const auto& site : params.sites)
@@ -144,7 +144,7 @@ double squaredDistance(const PlanarState& s, const TurningFilterParams& params) 
 
 /// Density of the acceleration that straight flight at the assumed height h seems to have in slant range on the plane:
 /// h²v²/r³, lasting dt [m²/s³].
-double slantAcceleration(const PlanarState& s, double dt, const TurningFilterParams& params) {
+double slantAcceleration(const PlanarState& s, double dt, const MultipleModelParams& params) {
   const double r2 = std::max(squaredDistance(s, params), params.assumed_height * params.assumed_height);
   if (r2 == 0.0) return 0.0;
   const double h2 = params.assumed_height * params.assumed_height, v2 = s.vx * s.vx + s.vy * s.vy;
@@ -152,14 +152,14 @@ double slantAcceleration(const PlanarState& s, double dt, const TurningFilterPar
 }
 
 /// Density of the acceleration that each model assumes [m²/s³].
-std::array<double, TurningFilter::kModels> accelerations(const States& states, double dt,
-                                                         const TurningFilterParams& params) {
+std::array<double, MultipleModelFilter::kModels> accelerations(const States& states, double dt,
+                                                               const MultipleModelParams& params) {
   const double slant = slantAcceleration(states[0], dt, params);
   return {slant + params.straight_acceleration, slant + params.turning_acceleration,
           slant + params.turning_acceleration};
 }
 
-void move(States& states, double dt, const TurningFilterParams& params) {
+void move(States& states, double dt, const MultipleModelParams& params) {
   const auto motion = motions(dt, params.turn_rate);
   const auto acceleration = accelerations(states, dt, params);
   for (std::size_t i = 0; i < states.size(); ++i) {
@@ -191,14 +191,7 @@ void addManoeuvre(PlanarState& s, double dt, double acceleration) {
 
 }  // namespace
 
-PlanarPosition planarMeasurement(double range, double azimuth, double range_sigma, double azimuth_sigma) {
-  const double s = std::sin(azimuth), c = std::cos(azimuth);
-  const double along = range_sigma * range_sigma, cross = range * range * azimuth_sigma * azimuth_sigma;
-  return {
-      range * s, range * c, {along * s * s + cross * c * c, (along - cross) * s * c, along * c * c + cross * s * s}};
-}
-
-void TurningFilter::start(const PlanarPosition& z, const TurningFilterParams& params) {
+void MultipleModelFilter::start(const PlanarPosition& z, const MultipleModelParams& params) {
   PlanarState first;
   first.x = z.x;
   first.y = z.y;
@@ -209,7 +202,7 @@ void TurningFilter::start(const PlanarPosition& z, const TurningFilterParams& pa
   probability_ = {straight, 0.5 * (1.0 - straight), 0.5 * (1.0 - straight)};
 }
 
-void TurningFilter::setVelocity(double vx, double vy, const Symmetric2& covariance) {
+void MultipleModelFilter::setVelocity(double vx, double vy, const Symmetric2& covariance) {
   for (PlanarState& s : state_) {
     s.vx = vx;
     s.vy = vy;
@@ -217,7 +210,7 @@ void TurningFilter::setVelocity(double vx, double vy, const Symmetric2& covarian
   }
 }
 
-void TurningFilter::mix(double dt, const TurningFilterParams& params) {
+void MultipleModelFilter::mix(double dt, const MultipleModelParams& params) {
   const double begin = 1.0 - std::exp(-dt / params.straight_time), end = 1.0 - std::exp(-dt / params.turning_time);
   // A turn ends in straight flight; it does not change its side.
   const double transition[kModels][kModels] = {
@@ -236,7 +229,7 @@ void TurningFilter::mix(double dt, const TurningFilterParams& params) {
   probability_ = next;
 }
 
-double TurningFilter::update(const PlanarPosition& z, double dt, const TurningFilterParams& params) {
+double MultipleModelFilter::update(const PlanarPosition& z, double dt, const MultipleModelParams& params) {
   mix(dt, params);
   move(state_, dt, params);
   const bool manoeuvre =
@@ -258,22 +251,22 @@ double TurningFilter::update(const PlanarPosition& z, double dt, const TurningFi
   return std::log(sum) - 0.5 * least - kLogTwoPi + (manoeuvre ? kLogManoeuvre : 0.0);
 }
 
-void TurningFilter::shift(double dx, double dy) {
+void MultipleModelFilter::shift(double dx, double dy) {
   for (PlanarState& state : state_) {
     state.x += dx;
     state.y += dy;
   }
 }
 
-PlanarState TurningFilter::mean() const { return meanOf(state_, probability_); }
+PlanarState MultipleModelFilter::mean() const { return meanOf(state_, probability_); }
 
-PlanarState TurningFilter::predict(double dt, const TurningFilterParams& params) const {
+PlanarState MultipleModelFilter::predict(double dt, const MultipleModelParams& params) const {
   States moved = state_;
   move(moved, dt, params);
   return merged(moved, probability_);
 }
 
-PlanarPosition TurningFilter::predictPosition(double dt, const TurningFilterParams& params) const {
+PlanarPosition MultipleModelFilter::predictPosition(double dt, const MultipleModelParams& params) const {
   const auto motion = motions(dt, params.turn_rate);
   const auto acceleration = accelerations(state_, dt, params);
   std::array<PlanarPosition, kModels> moved;
@@ -294,4 +287,4 @@ PlanarPosition TurningFilter::predictPosition(double dt, const TurningFilterPara
   return result;
 }
 
-}  // namespace adit_tracker
+}  // namespace tws

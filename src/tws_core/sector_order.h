@@ -7,47 +7,49 @@
 #include <optional>
 #include <vector>
 
-namespace adit_tracker {
+namespace tws {
 
-/// Decides whose sector comes next (the report's EXECUTIVE, figure 3): the one that its radar crossed earliest, once
-/// that radar has closed the sectors that the clutter map needs. The answer does not depend on how the messages of
-/// different radars interleave, as long as none is late by more than the limit; a radar that falls silent does not hold
-/// up the rest.
-class Executive {
+/// A sector of one of several radars, by its running number.
+struct SectorRef {
+  std::size_t radar;
+  std::int64_t running;
+};
+
+/// Decides which sector of asynchronously scanning radars is processed next (EXECUTIVE, figure 3, of NRL Report 7952):
+/// the one that its radar crossed earliest, once that radar has closed as many sectors beyond it as the processing
+/// looks at. The answer does not depend on how the messages of different radars interleave, as long as none is late by
+/// more than the limit; a radar that falls silent does not hold up the rest.
+class SectorOrder {
  public:
-  struct Turn {
-    std::size_t radar;
-    std::int64_t running;
-  };
-  /// The clutter map works on sector +3 with the detections of sector +4.
-  static constexpr std::int64_t kSectorsAhead = 4;
-
   /// `limit`: how late a radar's data may be against the newest of all before it counts as silent [s of data time].
-  Executive(std::size_t radars, double limit);
+  /// `ahead`: how many closed sectors the processing of one needs beyond it, ≥ 0.
+  SectorOrder(std::size_t radars, double limit, std::int64_t ahead);
 
   /// A sector has closed. Within a radar, running numbers and times grow. Returns false when the sector is late:
   /// younger sectors of other radars have been handed out already (it is handed out all the same, next).
-  bool closed(std::size_t radar, std::int64_t running, double enter_time, double leave_time);
+  bool add(const SectorRef& sector, double enter_time, double leave_time);
 
   /// The next sector to be processed; nothing: more data must come first.
-  std::optional<Turn> next();
+  std::optional<SectorRef> next();
 
   /// How many sectors of each radar next() would hand out by now: what is left of them is nobody's fault but the
   /// caller's.
   std::vector<std::size_t> ready() const;
+  /// Sectors that were added and not handed out yet, of all radars.
+  std::size_t waiting() const;
 
   /// No more data will come: next() hands out all that is left.
   void finish() { finished_ = true; }
 
   /// The sector of a radar that follows the one handed out last: its front.
-  std::int64_t front(std::size_t radar) const;
+  std::int64_t front(std::size_t radar) const { return radars_[radar].next; }
 
   /// The latest sector that the radar has closed; -1: none yet.
   std::int64_t newest(std::size_t radar) const { return radars_[radar].newest; }
 
-  /// Has the radar not been heard of for longer than the limit, as seen from the sector handed out last? Like front(),
-  /// it follows from what was handed out, not from what has arrived, so that it is the same in every run.
-  bool silent(std::size_t radar) const;
+  /// Has nothing come of the radar for longer than the limit, as seen from the sector handed out last? Like front(), it
+  /// follows from what was handed out, not from what has arrived, so that it is the same in every run.
+  bool silent(std::size_t radar) const { return handed_out_ > radars_[radar].done_until + limit_; }
 
  private:
   struct Pending {
@@ -61,16 +63,19 @@ class Executive {
     double newest_leave = 0.0;
     double sector_duration = 0.0;
     double done_until = -std::numeric_limits<double>::infinity();  // leave time of the sector handed out last
-    bool heard = false;
+    bool known = false;                                            // at least one of its sectors has come
   };
 
+  std::optional<std::size_t> earliest() const;
   double nextTime(const Radar& radar) const;
-  bool ready(const Radar& radar) const;
+  bool complete(const Radar& radar) const;
   bool overdue(const Radar& radar) const;
-  bool mayYieldTo(const Radar& radar, double time) const;
+  bool holdsUp(std::size_t radar, std::size_t earliest) const;
+  bool cannotPrecede(const Radar& radar, double time) const;
 
   std::vector<Radar> radars_;
   double limit_;
+  std::int64_t ahead_;
   double newest_ = 0.0;      // newest time of any radar
   double first_ = 0.0;       // first time of any radar
   double handed_out_ = 0.0;  // enter time of the youngest sector handed out
@@ -79,4 +84,4 @@ class Executive {
   bool finished_ = false;
 };
 
-}  // namespace adit_tracker
+}  // namespace tws

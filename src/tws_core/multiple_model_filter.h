@@ -1,0 +1,77 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include <tws_core/planar_gaussian.h>
+#include <tws_core/units.h>
+
+namespace tws {
+
+/// What the filter assumes. One set serves all tracks.
+struct MultipleModelParams {
+  double turn_rate = radians(2.2);     // Of the turning models, one each way [rad/s], (0, 0.5].
+  double straight_acceleration = 0.2;  // White acceleration density of the straight model [m²/s³].
+  double turning_acceleration = 15.0;  // The same of the turning models.
+  double straight_time = 100.0;        // Mean time between turns [s].
+  double turning_time = 30.0;          // Mean time of a turn [s].
+  // A 2-D radar sees slant range: close to it, straight flight at a height looks accelerated on the plane. The height
+  // [m] that is assumed for that, 0: the plane is all there is.
+  double assumed_height = 10000.0;
+  // A measurement that no model explains is taken for a hard manoeuvre of this acceleration (standard deviation, each
+  // axis) [m/s²]; 0: never.
+  double manoeuvre_acceleration = 10.0;
+  double speed_sigma = 150.0;  // Of each velocity component before it is known [m/s].
+  // Where slant ranges are measured from [m]; empty: from the origin alone.
+  struct Place {
+    double x, y;
+  };
+  std::vector<Place> sites;
+};
+
+/// Interacting multiple models (Blom & Bar-Shalom 1988) on the plane: straight flight, turn to the right, turn to the
+/// left, each a Kalman filter. It removes the pass-course effect of filters in polar coordinates and follows turns
+/// without being noisy in between.
+class MultipleModelFilter {
+ public:
+  static constexpr std::size_t kModels = 3;
+
+  /// A track from its first measurement, at rest, with velocity unknown.
+  void start(const PlanarPosition& measurement, const MultipleModelParams& params);
+
+  /// Gives all models this velocity [m/s] with this covariance [m²/s²].
+  void setVelocity(double vx, double vy, const Symmetric2& covariance);
+
+  /// Moves on by dt [s] ≥ 0, corrects by the measurement. Returns the natural logarithm of the measurement's likelihood
+  /// [1/m²].
+  double update(const PlanarPosition& measurement, double dt, const MultipleModelParams& params);
+
+  /// Moves the target, as it is known, by so much [m].
+  void shift(double dx, double dy);
+
+  /// The mixture moved on by dt [s], by one Gaussian of the same mean and covariance.
+  PlanarState predict(double dt, const MultipleModelParams& params) const;
+
+  /// The position of that alone, at less cost.
+  PlanarPosition predictPosition(double dt, const MultipleModelParams& params) const;
+
+  /// Standard deviation of the displacement that a hard manoeuvre adds in dt [s], in each axis [m].
+  static double manoeuvreSigma(double dt, const MultipleModelParams& params) {
+    return 0.5 * params.manoeuvre_acceleration * dt * dt;
+  }
+
+  /// The mean of the mixture now; its covariances are left at 0.
+  PlanarState mean() const;
+
+  /// Chance that the target flies straight now, 0..1.
+  double straightProbability() const { return probability_[0]; }
+
+ private:
+  void mix(double dt, const MultipleModelParams& params);
+
+  std::array<PlanarState, kModels> state_;
+  std::array<double, kModels> probability_{};
+};
+
+}  // namespace tws
