@@ -3,7 +3,10 @@
 #include <cmath>
 
 #include <tws_core/angles.h>
+#include <tws_core/sectors.h>
 #include <tws_runtime/conversions.h>
+
+#include "sensor_port.h"
 
 namespace radar_sim {
 namespace {
@@ -17,48 +20,41 @@ bool isGood(const tws_msgs::ElevationRequest& request) {
 }  // namespace
 
 // Its steps are those past north alone, so that all lists that answer earlier marks are due there.
-ElevationLoop::ElevationLoop(tws_runtime::Bus& bus, Simulation& simulation, std::size_t radar)
-    : bus_(bus),
-      simulation_(simulation),
-      radar_(radar),
-      topic_("/" + this->radar().params().name + "/elevation_requests"),
-      loop_(ros::Duration(0)) {
+ElevationLoop::ElevationLoop(SensorPort& port, RotatingRadar& radar)
+    : bus_(port.bus()), radar_(radar), loop_(ros::Duration(0)) {
   loop_.stopWaiting();
-  bus.subscribe<tws_msgs::ElevationRequests>(topic_, [this](const auto& requests) { hear(requests); });
+  topic_ =
+      port.subscribe<tws_msgs::ElevationRequests>("elevation_requests", [this](const auto& list) { onRequests(list); });
 }
 
-bool ElevationLoop::isNext() const {
-  const auto next = simulation_.nextTime();
-  return next && radar().isNorthNext() && radar().nextMark() <= *next;
+bool ElevationLoop::isReady() const {
+  return !radar_.isNorthNext() || loop_.isReady(tws_runtime::toTime(radar_.nextMark()));
 }
-
-bool ElevationLoop::isReady() const { return !isNext() || loop_.isReady(tws_runtime::toTime(radar().nextMark())); }
 
 void ElevationLoop::stopWaiting() {
   if (isReady()) return;
   bus_.counter("commands late")
-      .add("no list on " + topic_ + " in time: " + radar().params().name +
+      .add("no list on " + topic_ + " in time: " + radar_.params().name +
            " turns on without elevation searches until one comes");
   loop_.stopWaiting();
 }
 
-void ElevationLoop::prepareStep() {
-  if (!isNext()) return;
+void ElevationLoop::applyCommands() {
+  if (!radar_.isNorthNext()) return;
   // A list that is a turn late is still of use; one from before an outage leads nowhere.
-  const double oldest = radar().nextMark() - 2.0 * radar().params().rotation_period;
-  for (const Command& command : loop_.takeDue(tws_runtime::toTime(radar().nextMark()))) {
-    const std::size_t taken = command.time > oldest ? simulation_.setElevationSearches(radar_, command.orders) : 0;
+  const double oldest = radar_.nextMark() - 2.0 * radar_.params().rotation_period;
+  for (const Command& command : loop_.takeDue(tws_runtime::toTime(radar_.nextMark()))) {
+    const std::size_t taken = command.time > oldest ? radar_.setElevationSearches(command.orders) : 0;
     if (taken < command.orders.size())
-      refuse(command.orders.size() - taken, "more than " + radar().params().name + " can make, or too old");
+      refuse(command.orders.size() - taken, "more than " + radar_.params().name + " can make, or too old");
   }
 }
 
-void ElevationLoop::hearMark(const SectorReport& report) {
-  if (report.radar == radar_ && (report.sector.running + 1) % tws::kSectors == kListSector)
-    loop_.sent(tws_runtime::toTime(report.sector.leave_time));
+void ElevationLoop::onMark(const tws::RadarSector& sector) {
+  if ((sector.running + 1) % tws::kSectors == kListSector) loop_.sent(tws_runtime::toTime(sector.leave_time));
 }
 
-void ElevationLoop::hear(const tws_msgs::ElevationRequests& requests) {
+void ElevationLoop::onRequests(const tws_msgs::ElevationRequests& requests) {
   const ros::Time stamp = requests.header.stamp;
   if (loop_.hear(stamp, {tws_runtime::toSeconds(stamp), ordersOf(requests)})) return;
   bus_.counter("commands late").add("a late list in " + topic_ + " at " + std::to_string(stamp.toSec()));

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "flight_path.h"
+#include "range_sensor.h"
 #include "scenario_file_test_helpers.h"
 
 namespace radar_sim {
@@ -291,7 +292,7 @@ range_radars:
 targets:
   - {name: alpha, range_m: 8000, azimuth_deg: 10, length_m: 20, scatterers: 5, fading_time_s: 0.5}
 )");
-  const RangeRadarParams& radar = scenario.range_radars.at(0);
+  const RangeRadarParams& radar = dynamic_cast<const RangeSpec&>(*scenario.sensors.back()).params;
   EXPECT_EQ(radar.profile_rate, 100.0);
   EXPECT_DOUBLE_EQ(radar.beamwidth, M_PI / 180.0);
   EXPECT_NEAR(radar.sea_clutter.sigma0, 1e-4, 1e-12);

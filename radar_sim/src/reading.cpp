@@ -6,6 +6,8 @@
 
 #include <tws_core/units.h>
 
+#include "scenario.h"
+
 namespace radar_sim {
 namespace {
 
@@ -89,6 +91,14 @@ void readName(ParameterReader& reader, std::string& name) {
   if (name.empty() || !std::all_of(name.begin(), name.end(), isAllowed)) {
     reader.fail("name", "'" + name + "' is not made of letters, digits, - and _");
   }
+}
+
+void settleSite(std::string& site, const Scenario& scenario, const ParameterReader& reader) {
+  if (site.empty() && scenario.sites.size() > 1) reader.fail("site", "is required, as there are several sites");
+  if (site.empty()) site = scenario.sites.front().name;
+  const auto isItsSite = [&](const Site& known) { return known.name == site; };
+  if (std::none_of(scenario.sites.begin(), scenario.sites.end(), isItsSite))
+    reader.fail("site", "there is no site '" + site + "'");
 }
 
 }  // namespace radar_sim

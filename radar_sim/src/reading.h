@@ -12,6 +12,8 @@
 
 namespace radar_sim {
 
+struct Scenario;
+
 /// What the parts of a scenario file are read against. Internal to the scenario reader.
 struct ReadingContext {
   tws::LocalFrame map;
@@ -43,6 +45,9 @@ void readReflection(ParameterReader& reader, Reflection& reflection, bool with_r
 
 /// `name`: letters, digits, - and _; required unless there is a default.
 void readName(ParameterReader& reader, std::string& name);
+
+/// Checks the `site` that a sensor's map names. Where there is one site only, it need not name it.
+void settleSite(std::string& site, const Scenario& scenario, const ParameterReader& reader);
 
 /// Runs `build` and turns what it throws into an error about `key`, with its line.
 template <class Build>

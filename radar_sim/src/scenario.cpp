@@ -1,38 +1,28 @@
 #include "scenario.h"
 
 #include <algorithm>
+#include <iterator>
 #include <set>
 #include <stdexcept>
-
-#include <tws_core/sine_space.h>
 
 #include "trajectory.h"
 
 namespace radar_sim {
 namespace {
 
-template <class Radar>
-tws::Geodetic antennaPlace(const Scenario& scenario, const Radar& radar, const tws::LocalFrame& map) {
-  const auto hasItsName = [&](const Site& site) { return site.name == radar.site; };
-  const auto site = std::find_if(scenario.sites.begin(), scenario.sites.end(), hasItsName);
-  if (site == scenario.sites.end())
-    throw std::invalid_argument("radar '" + radar.name + "' has no site '" + radar.site + "'");
-  const Eigen::Vector2d at_rest(0.0, 0.0);
-  tws::Geodetic place =
-      map.toGeodetic(overTheSea(site->position, at_rest, radar.antenna_height, 0.0, scenario.origin.altitude).position);
-  // The sea of overTheSea() is a sphere; on the ellipsoid the antenna stands exactly as high as it says.
-  place.altitude = radar.antenna_height;
-  return place;
+const Site& siteOf(const Scenario& scenario, const std::string& sensor, const std::string& name) {
+  const auto isIt = [&](const Site& site) { return site.name == name; };
+  const auto site = std::find_if(scenario.sites.begin(), scenario.sites.end(), isIt);
+  if (site == scenario.sites.end()) throw std::invalid_argument("radar '" + sensor + "' has no site '" + name + "'");
+  return *site;
 }
 
-template <class Radar>
-Eigen::Isometry3d mapToAntenna(const Scenario& scenario, const Radar& radar) {
-  const tws::LocalFrame map(scenario.origin);
-  const tws::LocalFrame site(antennaPlace(scenario, radar, map));
-  Eigen::Isometry3d map_to_radar = Eigen::Isometry3d::Identity();
-  map_to_radar.linear() = site.ecefFromEnuRotation().transpose() * map.ecefFromEnuRotation();
-  map_to_radar.translation() = site.toEnu(map.origin());
-  return map_to_radar;
+tws::Geodetic antennaPlace(const Site& site, double height, const tws::LocalFrame& map) {
+  const Eigen::Vector2d at_rest(0.0, 0.0);
+  tws::Geodetic place = map.toGeodetic(overTheSea(site.position, at_rest, height, 0.0, map.origin().altitude).position);
+  // The sea of overTheSea() is a sphere; on the ellipsoid the antenna stands exactly as high as it says.
+  place.altitude = height;
+  return place;
 }
 
 }  // namespace
@@ -54,20 +44,21 @@ std::vector<Target> allTargets(const Scenario& scenario) {
   return targets;
 }
 
-Eigen::Isometry3d mapToRadar(const Scenario& scenario, const RadarParams& radar) {
-  return mapToAntenna(scenario, radar);
+std::vector<Fault> faultsOf(const Scenario& scenario, const std::string& sensor) {
+  std::vector<Fault> faults;
+  const auto isItsOwn = [&](const Fault& fault) { return fault.radar == sensor; };
+  std::copy_if(scenario.faults.begin(), scenario.faults.end(), std::back_inserter(faults), isItsOwn);
+  return faults;
 }
 
-Eigen::Isometry3d mapToRadar(const Scenario& scenario, const SecondaryParams& radar) {
-  return mapToAntenna(scenario, radar);
-}
-
-Eigen::Isometry3d mapToRadar(const Scenario& scenario, const RangeRadarParams& radar) {
-  return mapToAntenna(scenario, radar);
-}
-
-Eigen::Isometry3d mapToRadar(const Scenario& scenario, const ArrayParams& radar) {
-  return tws::enuFromArrayRotation(radar.azimuth, radar.tilt).transpose() * mapToAntenna(scenario, radar);
+Eigen::Isometry3d mapToAntenna(const Scenario& scenario, const std::string& sensor, const std::string& site,
+                               double height) {
+  const tws::LocalFrame map(scenario.origin);
+  const tws::LocalFrame antenna(antennaPlace(siteOf(scenario, sensor, site), height, map));
+  Eigen::Isometry3d map_to_antenna = Eigen::Isometry3d::Identity();
+  map_to_antenna.linear() = antenna.ecefFromEnuRotation().transpose() * map.ecefFromEnuRotation();
+  map_to_antenna.translation() = antenna.toEnu(map.origin());
+  return map_to_antenna;
 }
 
 }  // namespace radar_sim

@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -9,16 +10,14 @@
 #include <tws_core/geodesy.h>
 #include <yaml-cpp/yaml.h>
 
-#include "array_params.h"
 #include "fault.h"
-#include "radar_params.h"
 #include "random_group.h"
-#include "range_radar_params.h"
-#include "secondary_params.h"
+#include "sensor.h"
 #include "target.h"
-#include "track_feed.h"
 
 namespace radar_sim {
+
+struct SensorKind;
 
 struct Site {
   std::string name;
@@ -33,14 +32,10 @@ struct Scenario {
   double truth_period = 1.0;   ///< [s]
   tws::Geodetic origin;        ///< Altitude above the sea [m].
   std::vector<Site> sites;
-  std::vector<RadarParams> radars;
-  std::vector<SecondaryParams> secondary_radars;
-  std::vector<ArrayParams> array_radars;
-  std::vector<RangeRadarParams> range_radars;
-  std::vector<Target> targets;  ///< Those that are given one by one.
+  std::vector<std::shared_ptr<const SensorSpec>> sensors;  ///< What happens at one time happens in their order.
+  std::vector<Target> targets;                             ///< Those that are given one by one.
   std::vector<RandomGroup> groups;
   std::vector<Fault> faults;
-  std::optional<TrackFeedParams> track_feed;  ///< Without it nobody but trackers tells tracks.
   /// A map, tracker name → its parameters, as it stands in the file: whoever starts the trackers reads it.
   YAML::Node trackers{YAML::NodeType::Map};
 
@@ -56,16 +51,20 @@ struct ScenarioOverrides {
 /// Throws tws_runtime::ParameterError, with file, line and reason, for what cannot be read, is unknown, out of range or
 /// contradicts itself. Files that the scenario names are looked for from its own folder.
 Scenario loadScenario(const std::string& path, const ScenarioOverrides& overrides = {});
+/// The same with other kinds of sensors than sensorKinds().
+Scenario loadScenario(const std::string& path, const ScenarioOverrides& overrides,
+                      const std::vector<SensorKind>& kinds);
 
 /// The given targets, then those of the random groups; what is to be drawn of their transponders is drawn. Throws
 /// std::invalid_argument when a name is used twice.
 std::vector<Target> allTargets(const Scenario& scenario);
 
-/// Takes map coordinates to the radar's own east, north, up at its antenna.
-Eigen::Isometry3d mapToRadar(const Scenario& scenario, const RadarParams& radar);
-Eigen::Isometry3d mapToRadar(const Scenario& scenario, const SecondaryParams& radar);
-Eigen::Isometry3d mapToRadar(const Scenario& scenario, const RangeRadarParams& radar);
-/// To the array's frame: x along boresight, y left, z up.
-Eigen::Isometry3d mapToRadar(const Scenario& scenario, const ArrayParams& radar);
+/// Those of one sensor.
+std::vector<Fault> faultsOf(const Scenario& scenario, const std::string& sensor);
+
+/// Takes map coordinates to the east, north, up of a sensor's antenna, `height` above the sea [m]. Throws
+/// std::invalid_argument when there is no such site.
+Eigen::Isometry3d mapToAntenna(const Scenario& scenario, const std::string& sensor, const std::string& site,
+                               double height);
 
 }  // namespace radar_sim

@@ -1,14 +1,12 @@
-#include <algorithm>
+#include <limits>
+#include <memory>
 #include <set>
 
 #include <tws_core/units.h>
 
-#include "array_reader.h"
-#include "radar_reader.h"
-#include "range_reader.h"
 #include "reading.h"
 #include "scenario.h"
-#include "secondary_reader.h"
+#include "sensor_kinds.h"
 #include "target_reader.h"
 
 namespace radar_sim {
@@ -46,45 +44,21 @@ void readSites(ParameterReader& reader, const ReadingContext& context, Scenario&
   if (scenario.sites.empty()) scenario.sites.push_back({"origin", {0.0, 0.0}});
 }
 
-/// Where there is one site only, a radar need not name it.
-void settleSite(std::string& site, const Scenario& scenario, const ParameterReader& entry) {
-  if (site.empty() && scenario.sites.size() > 1) entry.fail("site", "is required, as there are several sites");
-  if (site.empty()) site = scenario.sites.front().name;
-  const auto isItsSite = [&](const Site& known) { return known.name == site; };
-  if (std::none_of(scenario.sites.begin(), scenario.sites.end(), isItsSite))
-    entry.fail("site", "there is no site '" + site + "'");
+std::vector<ParameterReader> entriesOf(ParameterReader& reader, const SensorKind& kind) {
+  if (kind.form == SensorKind::Form::kList) return reader.list(kind.key);
+  if (!reader.has(kind.key)) return {};
+  return {reader.map(kind.key)};
 }
 
-/// Of the range radar just read.
-void refuseUnknownTarget(const Scenario& scenario, const ParameterReader& entry) {
-  const std::string& target = scenario.range_radars.back().target;
-  const auto isIt = [&](const Target& known) { return known.name == target; };
-  if (std::none_of(scenario.targets.begin(), scenario.targets.end(), isIt))
-    entry.fail("target", "there is no target '" + target + "' in the list targets");
-}
-
-void readRadars(ParameterReader& reader, Scenario& scenario) {
+void readSensors(ParameterReader& reader, const std::vector<SensorKind>& kinds, Scenario& scenario) {
   std::set<std::string> names;
-  for (ParameterReader& entry : reader.list("radars")) {
-    scenario.radars.push_back(readRadar(entry));
-    refuseSecond(names, scenario.radars.back().name, entry);
-    settleSite(scenario.radars.back().site, scenario, entry);
-  }
-  for (ParameterReader& entry : reader.list("secondary_radars")) {
-    scenario.secondary_radars.push_back(readSecondaryRadar(entry, scenario.radars));
-    refuseSecond(names, scenario.secondary_radars.back().name, entry);
-    settleSite(scenario.secondary_radars.back().site, scenario, entry);
-  }
-  for (ParameterReader& entry : reader.list("array_radars")) {
-    scenario.array_radars.push_back(readArrayRadar(entry));
-    refuseSecond(names, scenario.array_radars.back().name, entry);
-    settleSite(scenario.array_radars.back().site, scenario, entry);
-  }
-  for (ParameterReader& entry : reader.list("range_radars")) {
-    scenario.range_radars.push_back(readRangeRadar(entry));
-    refuseSecond(names, scenario.range_radars.back().name, entry);
-    settleSite(scenario.range_radars.back().site, scenario, entry);
-    refuseUnknownTarget(scenario, entry);
+  for (const SensorKind& kind : kinds) {
+    for (ParameterReader& entry : entriesOf(reader, kind)) {
+      std::shared_ptr<SensorSpec> sensor = kind.read(entry, scenario);
+      sensor->kind = kind.key;
+      refuseSecond(names, sensor->name, entry);
+      scenario.sensors.push_back(std::move(sensor));
+    }
   }
 }
 
@@ -107,22 +81,36 @@ void readTargets(ParameterReader& reader, const ReadingContext& context, Scenari
   addGroups("random_slow_movers", TargetKind::kSlowMover);
 }
 
-Fault readFault(ParameterReader& reader, const Scenario& scenario) {
-  Fault fault;
+FaultKind readFaultKind(ParameterReader& reader) {
   std::string type;
   reader.require("type");
   reader.choice("type", type, {"outage", "missed_scan", "false_alarm_burst"});
-  std::vector<std::string> radars;
-  for (const RadarParams& radar : scenario.radars) radars.push_back(radar.name);
-  // A secondary radar has no false alarms: its FRUIT is a parameter of its own; nor does an array scan.
-  if (type != "false_alarm_burst") {
-    for (const SecondaryParams& radar : scenario.secondary_radars) radars.push_back(radar.name);
-    for (const ArrayParams& radar : scenario.array_radars) radars.push_back(radar.name);
-    if (type == "outage")
-      for (const RangeRadarParams& radar : scenario.range_radars) radars.push_back(radar.name);
-  }
+  if (type == "outage") return FaultKind::kOutage;
+  return type == "missed_scan" ? FaultKind::kMissedScan : FaultKind::kFalseAlarmBurst;
+}
+
+/// Names of the sensors that can have such a fault.
+std::vector<std::string> sensorsFor(FaultKind fault, const Scenario& scenario) {
+  std::vector<std::string> names;
+  for (const auto& sensor : scenario.sensors)
+    if (sensor->canHave(fault)) names.push_back(sensor->name);
+  return names;
+}
+
+void readBurst(ParameterReader& reader, Fault& fault) {
+  reader.require("false_alarms_per_scan");
+  reader.number("false_alarms_per_scan", fault.false_alarms_per_scan, 0.0, 1e6);
+  scaledNumber(reader, "azimuth_from_deg", fault.azimuth_from, tws::kRadiansPerDegree, 0.0, 360.0);
+  scaledNumber(reader, "azimuth_to_deg", fault.azimuth_to, tws::kRadiansPerDegree, 0.0, 720.0);
+  if (fault.azimuth_to <= fault.azimuth_from)
+    reader.fail("azimuth_to_deg", "is not greater than azimuth_from_deg (350 to 370 crosses north)");
+}
+
+Fault readFault(ParameterReader& reader, const Scenario& scenario) {
+  Fault fault;
+  fault.kind = readFaultKind(reader);
   reader.require("radar");
-  reader.choice("radar", fault.radar, radars);
+  reader.choice("radar", fault.radar, sensorsFor(fault.kind, scenario));
   reader.require("from_s");
   reader.require("to_s");
   reader.number("from_s", fault.from, 0.0, kLongest);
@@ -130,32 +118,9 @@ Fault readFault(ParameterReader& reader, const Scenario& scenario) {
   if (fault.to <= fault.from) reader.fail("to_s", "is not later than from_s");
   fault.from += scenario.start_time;
   fault.to += scenario.start_time;
-  if (type == "missed_scan") fault.kind = FaultKind::kMissedScan;
-  if (type == "false_alarm_burst") {
-    fault.kind = FaultKind::kFalseAlarmBurst;
-    reader.require("false_alarms_per_scan");
-    reader.number("false_alarms_per_scan", fault.false_alarms_per_scan, 0.0, 1e6);
-    scaledNumber(reader, "azimuth_from_deg", fault.azimuth_from, tws::kRadiansPerDegree, 0.0, 360.0);
-    scaledNumber(reader, "azimuth_to_deg", fault.azimuth_to, tws::kRadiansPerDegree, 0.0, 720.0);
-    if (fault.azimuth_to <= fault.azimuth_from)
-      reader.fail("azimuth_to_deg", "is not greater than azimuth_from_deg (350 to 370 crosses north)");
-  }
+  if (fault.kind == FaultKind::kFalseAlarmBurst) readBurst(reader, fault);
   reader.done();
   return fault;
-}
-
-void readTrackFeed(ParameterReader& reader, Scenario& scenario) {
-  if (!reader.has("track_feed")) return;
-  ParameterReader entry = reader.map("track_feed");
-  TrackFeedParams feed;
-  std::vector<std::string> radars;
-  for (const RadarParams& radar : scenario.radars) radars.push_back(radar.name);
-  entry.require("clock_radar");
-  entry.choice("clock_radar", feed.clock_radar, radars);
-  entry.number("position_sigma_m", feed.position_sigma, 0.0, 1e4);
-  entry.number("velocity_sigma_mps", feed.velocity_sigma, 0.0, 1e3);
-  entry.done();
-  scenario.track_feed = feed;
 }
 
 std::string folderOf(const std::string& path) {
@@ -166,6 +131,11 @@ std::string folderOf(const std::string& path) {
 }  // namespace
 
 Scenario loadScenario(const std::string& path, const ScenarioOverrides& overrides) {
+  return loadScenario(path, overrides, sensorKinds());
+}
+
+Scenario loadScenario(const std::string& path, const ScenarioOverrides& overrides,
+                      const std::vector<SensorKind>& kinds) {
   const YAML::Node tree = tws_runtime::loadParameterFile(path);
   ParameterReader reader(tree, path);
   Scenario scenario;
@@ -173,9 +143,8 @@ Scenario loadScenario(const std::string& path, const ScenarioOverrides& override
   const ReadingContext context{tws::LocalFrame(scenario.origin), scenario.start_time, folderOf(path)};
   readSites(reader, context, scenario);
   readTargets(reader, context, scenario);
-  readRadars(reader, scenario);
+  readSensors(reader, kinds, scenario);
   for (ParameterReader& entry : reader.list("faults")) scenario.faults.push_back(readFault(entry, scenario));
-  readTrackFeed(reader, scenario);
   reader.map("trackers");  // throws when it is no map
   if (tree["trackers"] && tree["trackers"].IsMap()) scenario.trackers = tree["trackers"];
   reader.done();

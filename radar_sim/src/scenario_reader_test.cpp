@@ -8,9 +8,10 @@
 #include <tws_runtime/parameters.h>
 
 #include "radar_presets.h"
+#include "rotating_sensor.h"
 #include "scenario.h"
 #include "scenario_file_test_helpers.h"
-#include "simulation.h"
+#include "simulated_run_test_helpers.h"
 
 namespace radar_sim {
 namespace {
@@ -20,7 +21,7 @@ TEST_F(ScenarioFile, MayBeEmpty) {
   EXPECT_EQ(scenario.seed, 1u);
   EXPECT_EQ(scenario.start_time, 1000.0);
   EXPECT_EQ(scenario.duration, 300.0);
-  EXPECT_TRUE(scenario.radars.empty());
+  EXPECT_TRUE(scenario.sensors.empty());
 }
 
 // A ship's scenario under a name of the user's own would be tracked with an aircraft's parameters.
@@ -75,7 +76,7 @@ faults:
   EXPECT_DOUBLE_EQ(scenario.endTime(), 590.0);
   EXPECT_DOUBLE_EQ(scenario.origin.latitude, tws::radians(48.0));
   EXPECT_NEAR(scenario.sites[1].position.x(), 7460.0, 10.0);  // 0.1° · 111.41 km · cos 48°
-  const RadarParams& radar = scenario.radars.at(0);
+  const RadarParams& radar = dynamic_cast<const RotatingSpec&>(*scenario.sensors.at(0)).params;
   EXPECT_DOUBLE_EQ(radar.rotation_period, 8.0);
   EXPECT_DOUBLE_EQ(radar.start_azimuth, tws::radians(90.0));
   EXPECT_NEAR(radar.antenna_gain, 1995.26, 0.01);
@@ -192,15 +193,10 @@ TEST_F(ScenarioFile, ThatIsMissingIsNamed) {
 // The names that launch files and the command know; each must start as it is shipped.
 TEST(ShippedScenarios, AllRun) {
   for (const char* name : {"adit_nominal", "bel_dense", "full", "one_aircraft", "real_flight"}) {
-    const Scenario scenario = loadScenario(std::string(SCENARIOS) + "/" + name + ".yaml");
-    EXPECT_GE(scenario.radars.size(), 2u) << name;
-    Simulation simulation(scenario);
-    std::size_t plots = 0;
-    for (int i = 0; i < 1000; ++i) {
-      const auto report = simulation.step();
-      if (const auto* sector = std::get_if<SectorReport>(&report)) plots = sector->plot_count;
-    }
-    EXPECT_GT(plots, 5u) << name;
+    SimulatedRun run(loadScenario(std::string(SCENARIOS) + "/" + name + ".yaml"));
+    for (int i = 0; i < 1000; ++i) run.step();
+    EXPECT_GE(run.detections.size(), 2u) << name;
+    for (const auto& [radar, marks] : run.marks) EXPECT_GT(marks.back().running_count, 5u) << name << ", " << radar;
   }
 }
 
@@ -226,15 +222,11 @@ TEST(ShippedScenarios, RangeRadarsOpenTheirGateOnTheirTarget) {
   };
   for (const Case& c : {Case{"full", 3.0, 12}, Case{"mrs_aircraft", 3.0, 24},
                         Case{"mrs_aircraft_no_background", 3.0, 24}, Case{"mrs_ship", 5000.0, 100}}) {
-    Simulation simulation(loadScenario(std::string(SCENARIOS) + "/" + c.name + ".yaml"));
+    SimulatedRun run(loadScenario(std::string(SCENARIOS) + "/" + c.name + ".yaml"));
+    while (run.profiles["mrs"].size() < 50) run.step();
     double power = 0.0;
-    for (int profiles = 0; profiles < 50;) {
-      const auto report = simulation.step();
-      const auto* range = std::get_if<RangeReport>(&report);
-      if (range == nullptr) continue;
-      ++profiles;
-      power += strongestWindow(range->profile.amplitude, c.window) / 50.0;
-    }
+    for (const tws_msgs::RangeProfile& profile : run.profiles["mrs"])
+      power += strongestWindow(profile.amplitude, c.window) / 50.0;
     EXPECT_GT(power, 0.3 * c.rcs) << c.name;
     EXPECT_LT(power, 3.0 * c.rcs) << c.name;
   }
@@ -243,16 +235,14 @@ TEST(ShippedScenarios, RangeRadarsOpenTheirGateOnTheirTarget) {
 // The report's reason for two radars: they fade at different times. Cover is a chance of 0.8 on one scan. Without cover
 // over most of the picture, or with radars that fade together, the trackers' completeness would say nothing.
 TEST(ShippedScenarios, AditNominalCoversMostAircraftByOneRadarOrTheOther) {
-  Simulation simulation(loadScenario(std::string(SCENARIOS) + "/adit_nominal.yaml"));
+  SimulatedRun run(loadScenario(std::string(SCENARIOS) + "/adit_nominal.yaml"));
+  run.toEnd();
   double all = 0.0, first = 0.0, second = 0.0, either = 0.0;
-  while (simulation.nextTime()) {
-    const auto report = simulation.step();
-    const auto* truth = std::get_if<TruthReport>(&report);
-    if (truth == nullptr) continue;
-    for (const TruthReport::Entry& entry : truth->entries) {
-      if (simulation.targets()[entry.target].kind != TargetKind::kAircraft) continue;
-      const bool by_first = entry.sightings[0].detection_probability >= 0.8;
-      const bool by_second = entry.sightings[1].detection_probability >= 0.8;
+  for (const tws_msgs::Truth& truth : run.truths()) {
+    for (const tws_msgs::TruthTarget& target : truth.targets) {
+      if (target.kind != tws_msgs::TruthTarget::AIRCRAFT) continue;
+      const bool by_first = target.detection_probability[0] >= 0.8;
+      const bool by_second = target.detection_probability[1] >= 0.8;
       all += 1.0;
       first += by_first;
       second += by_second;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "scenario_file_test_helpers.h"
+#include "secondary_sensor.h"
 
 namespace radar_sim {
 namespace {
@@ -25,7 +26,9 @@ secondary_radars:
     azimuth_bias_deg: 0.1
   - {name: iff, rotation_period_s: 4}
 )");
-  const SecondaryParams& ssr = scenario.secondary_radars.at(0);
+  ASSERT_EQ(scenario.sensors.size(), 3u);
+  const auto paramsOf = [&](std::size_t i) { return dynamic_cast<const SecondarySpec&>(*scenario.sensors[i]).params; };
+  const SecondaryParams ssr = paramsOf(1);
   EXPECT_EQ(ssr.site, "origin");
   EXPECT_EQ(ssr.rotation_period, 6.0);
   EXPECT_DOUBLE_EQ(ssr.start_azimuth, tws::radians(90.0));
@@ -40,7 +43,7 @@ secondary_radars:
   EXPECT_EQ(ssr.fruit_plots_per_scan, 7.0);
   EXPECT_EQ(ssr.range_bias, -20.0);
   EXPECT_DOUBLE_EQ(ssr.azimuth_bias, tws::radians(0.1));
-  EXPECT_EQ(scenario.secondary_radars.at(1).rotation_period, 4.0);
+  EXPECT_EQ(paramsOf(2).rotation_period, 4.0);
 }
 
 TEST_F(ScenarioFile, GivesAircraftTheirCodesOrDrawsThem) {

@@ -3,13 +3,26 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <iomanip>
+#include <sstream>
+#include <tuple>
 
 #include <tws_core/units.h>
 
 #include "radar_presets.h"
+#include "rotating_sensor.h"
+#include "secondary_sensor.h"
+#include "simulated_run_test_helpers.h"
 
 namespace radar_sim {
 namespace {
+
+RadarParams radarOf(const std::string& name, const std::string& type) {
+  RadarParams radar = radarPreset(type);
+  radar.name = name;
+  radar.site = "ship";
+  return radar;
+}
 
 Scenario traffic() {
   Scenario scenario;
@@ -17,12 +30,8 @@ Scenario traffic() {
   scenario.duration = 60.0;
   scenario.origin = {tws::radians(54.0), tws::radians(7.0), 0.0};
   scenario.sites = {{"ship", {0.0, 0.0}}};
-  for (const auto& [name, type] : {std::pair("sps12", "SPS-12"), std::pair("sps39", "SPS-39")}) {
-    RadarParams radar = radarPreset(type);
-    radar.name = name;
-    radar.site = "ship";
-    scenario.radars.push_back(radar);
-  }
+  scenario.sensors.push_back(std::make_shared<RotatingSpec>(radarOf("sps12", "SPS-12")));
+  scenario.sensors.push_back(std::make_shared<RotatingSpec>(radarOf("sps39", "SPS-39")));
   RandomGroup group;
   group.name = "traffic";
   group.count = 20;
@@ -30,200 +39,175 @@ Scenario traffic() {
   return scenario;
 }
 
-struct Record {
-  std::vector<SectorReport> sectors;
-  std::vector<SecondarySectorReport> secondary;
-  std::vector<TruthReport> truths;
-  std::vector<double> times;
-};
-
-Record run(const Scenario& scenario) {
-  Simulation simulation(scenario);
-  Record record;
-  while (const auto time = simulation.nextTime()) {
-    record.times.push_back(*time);
-    auto report = simulation.step();
-    if (auto* sector = std::get_if<SectorReport>(&report)) {
-      EXPECT_EQ(sector->sector.leave_time, *time);
-      record.sectors.push_back(*sector);
-    } else if (auto* secondary = std::get_if<SecondarySectorReport>(&report)) {
-      EXPECT_EQ(secondary->sector.span.leave_time, *time);
-      record.secondary.push_back(*secondary);
-    } else {
-      EXPECT_EQ(std::get<TruthReport>(report).time, *time);
-      record.truths.push_back(std::get<TruthReport>(report));
-    }
-  }
-  return record;
+SimulatedRun& completed(SimulatedRun& run) {
+  run.toEnd();
+  return run;
 }
 
-void expectSamePlots(const Record& a, const Record& b, std::size_t radar) {
-  const auto plotsOf = [radar](const Record& record) {
-    std::vector<tws::Plot> plots;
-    for (const SectorReport& report : record.sectors) {
-      if (report.radar == radar) plots.insert(plots.end(), report.sector.plots.begin(), report.sector.plots.end());
-    }
-    return plots;
-  };
-  const auto first = plotsOf(a);
-  const auto second = plotsOf(b);
-  ASSERT_EQ(first.size(), second.size());
-  ASSERT_GT(first.size(), 100u);
-  for (std::size_t i = 0; i < first.size(); ++i) {
-    EXPECT_EQ(first[i].time, second[i].time);
-    EXPECT_EQ(first[i].range, second[i].range);
-    EXPECT_EQ(first[i].azimuth, second[i].azimuth);
-    EXPECT_EQ(first[i].snr, second[i].snr);
+/// Messages as text, which says NaN for NaN.
+template <class M>
+std::string textOf(const std::vector<M>& messages) {
+  std::ostringstream text;
+  text << std::setprecision(17);
+  for (const M& message : messages) text << message;
+  return text.str();
+}
+
+std::size_t plotsIn(const std::vector<tws_msgs::Detections>& messages) {
+  std::size_t plots = 0;
+  for (const tws_msgs::Detections& message : messages) plots += message.detections.size();
+  return plots;
+}
+
+void expectSamePlots(SimulatedRun& a, SimulatedRun& b) {
+  for (const char* radar : {"sps12", "sps39"}) {
+    EXPECT_GT(plotsIn(a.detections[radar]), 100u);
+    EXPECT_EQ(textOf(a.detections[radar]), textOf(b.detections[radar])) << radar;
   }
 }
 
 TEST(Simulation, ReportsInOrderOfTimeUpToItsEnd) {
-  const Record record = run(traffic());
-  for (std::size_t i = 1; i < record.times.size(); ++i) EXPECT_GE(record.times[i], record.times[i - 1]);
-  EXPECT_EQ(record.truths.size(), 61u);
-  EXPECT_EQ(record.sectors.size(), 640u + 480u);  // ten turns of 6 s, seven and a half of 8 s
-  EXPECT_EQ(record.times.back(), 1060.0);
+  SimulatedRun run(traffic());
+  run.toEnd();
+  for (std::size_t i = 1; i < run.times.size(); ++i) EXPECT_GE(run.times[i], run.times[i - 1]);
+  EXPECT_EQ(run.truths().size(), 61u);
+  EXPECT_EQ(run.marks["sps12"].size(), 640u);  // ten turns of 6 s
+  EXPECT_EQ(run.marks["sps39"].size(), 480u);  // seven and a half of 8 s
+  EXPECT_EQ(run.marks["sps12"].back().header.stamp, ros::Time(1060));
+}
+
+// Who relies on the order: a tracker that hears truth, and both radars of one mast, at one time.
+TEST(Simulation, ReportsTruthFirstThenTheSensorsInTheirOrder) {
+  SimulatedRun run(traffic());
+  while (*run.simulation.nextTime() < 1024.0) run.step();
+  run.topics.clear();
+  while (*run.simulation.nextTime() == 1024.0) run.step();  // three turns of sps39, four of sps12
+  EXPECT_EQ(run.topics, (std::vector<std::string>{"/truth", "/sps12/detections", "/sps12/sector_marks",
+                                                  "/sps39/detections", "/sps39/sector_marks"}));
 }
 
 TEST(Simulation, CountsPlotsAndTellsWhereTheOtherBeamPoints) {
-  std::vector<std::uint64_t> counts(2, 0);
-  for (const SectorReport& report : run(traffic()).sectors) {
-    counts[report.radar] += report.sector.plots.size();
-    EXPECT_EQ(report.plot_count, counts[report.radar]);
-    ASSERT_EQ(report.others.size(), 1u);
-    EXPECT_EQ(report.others[0].radar, 1 - report.radar);
-    const double period = report.radar == 0 ? 8.0 : 6.0;
-    const double turn = std::fmod(report.sector.leave_time - 1000.0, period) / period;
-    EXPECT_NEAR(std::remainder(report.others[0].azimuth - 2.0 * M_PI * turn, 2.0 * M_PI), 0.0, 1e-9);
+  SimulatedRun run(traffic());
+  run.toEnd();
+  for (const auto& [radar, other, period] : {std::tuple("sps12", "sps39", 8.0), std::tuple("sps39", "sps12", 6.0)}) {
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < run.marks[radar].size(); ++i) {
+      const tws_msgs::SectorMark& mark = run.marks[radar][i];
+      count += run.detections[radar][i].detections.size();
+      EXPECT_EQ(mark.running_count, count);
+      ASSERT_EQ(mark.other_radars, std::vector<std::string>{other});
+      const double turn = std::fmod(mark.header.stamp.toSec() - 1000.0, period) / period;
+      EXPECT_NEAR(std::remainder(mark.other_azimuths[0] - 2.0 * M_PI * turn, 2.0 * M_PI), 0.0, 1e-6);
+    }
   }
 }
 
 TEST(Simulation, RepeatsItselfBitForBit) {
-  const Record a = run(traffic());
-  const Record b = run(traffic());
-  expectSamePlots(a, b, 0);
-  expectSamePlots(a, b, 1);
+  SimulatedRun a(traffic()), b(traffic());
+  expectSamePlots(completed(a), completed(b));
   EXPECT_EQ(a.times, b.times);
 }
 
 TEST(Simulation, DiffersFromSeedToSeed) {
-  Scenario other = traffic();
-  other.seed = 5;
-  EXPECT_NE(run(traffic()).sectors.back().plot_count, run(other).sectors.back().plot_count);
+  Scenario other_seed = traffic();
+  other_seed.seed = 5;
+  SimulatedRun run(traffic()), other(other_seed);
+  EXPECT_NE(textOf(completed(run).detections["sps12"]), textOf(completed(other).detections["sps12"]));
 }
 
 // A study that adds a radar must not change what the first ones saw.
 TEST(Simulation, GivesARadarTheSamePlotsWhenAnotherIsAdded) {
   Scenario more = traffic();
-  RadarParams third = radarPreset("SPS-10");
-  third.name = "sps10";
-  third.site = "ship";
-  more.radars.insert(more.radars.begin(), third);
-  const Record with = run(more);
-  Record renumbered = with;
-  for (SectorReport& report : renumbered.sectors) report.radar = (report.radar + 2) % 3;  // the new one last
-  const Record without = run(traffic());
-  expectSamePlots(without, renumbered, 0);
-  expectSamePlots(without, renumbered, 1);
+  more.sensors.insert(more.sensors.begin(), std::make_shared<RotatingSpec>(radarOf("sps10", "SPS-10")));
+  SimulatedRun without(traffic()), with(more);
+  expectSamePlots(completed(without), completed(with));
 }
 
 Scenario withSecondary(Scenario scenario) {
   SecondaryParams ssr;
   ssr.name = "ssr";
   ssr.site = "ship";
-  scenario.secondary_radars.push_back(ssr);
+  scenario.sensors.push_back(std::make_shared<SecondarySpec>(ssr));
   scenario.groups[0].transponders = {1.0, 0.25};
   return scenario;
 }
 
 // As above, and the marks must not change either: a tracker would see another run.
 TEST(Simulation, GivesPrimaryRadarsTheSamePlotsMarksAndTruthWhenASecondaryOneIsAdded) {
-  const Record without = run(traffic());
-  const Record with = run(withSecondary(traffic()));
-  expectSamePlots(without, with, 0);
-  expectSamePlots(without, with, 1);
-  ASSERT_EQ(with.sectors.size(), without.sectors.size());
-  for (std::size_t i = 0; i < with.sectors.size(); ++i) {
-    EXPECT_EQ(with.sectors[i].sector.leave_time, without.sectors[i].sector.leave_time);
-    EXPECT_EQ(with.sectors[i].plot_count, without.sectors[i].plot_count);
-    ASSERT_EQ(with.sectors[i].others.size(), 1u);
-    EXPECT_EQ(with.sectors[i].others[0].azimuth, without.sectors[i].others[0].azimuth);
-  }
-  ASSERT_EQ(with.truths.size(), without.truths.size());
-  EXPECT_EQ(with.truths.back().entries.back().state.position, without.truths.back().entries.back().state.position);
-  EXPECT_EQ(with.truths.back().entries.back().sightings.size(), 2u);
+  SimulatedRun without(traffic()), with(withSecondary(traffic()));
+  expectSamePlots(completed(without), completed(with));
+  EXPECT_EQ(textOf(with.marks["sps12"]), textOf(without.marks["sps12"]));
+  EXPECT_EQ(textOf(with.marks["sps39"]), textOf(without.marks["sps39"]));
+  ASSERT_EQ(with.truths().size(), without.truths().size());
+  EXPECT_EQ(with.truths().back().radars.size(), 2u);
+  EXPECT_EQ(with.truths().back().targets.back().position.x, without.truths().back().targets.back().position.x);
 }
 
 TEST(Simulation, ReportsASecondaryRadarSectorBySectorAfterThePrimaryOfItsMast) {
-  const Record record = run(withSecondary(traffic()));
-  EXPECT_EQ(record.secondary.size(), 640u);
-  EXPECT_GT(record.secondary.back().plot_count, 180u);  // 20 aircraft in cover, ten turns
-  for (const SecondarySectorReport& report : record.secondary) EXPECT_EQ(report.others.size(), 2u);
-  Simulation simulation(withSecondary(traffic()));
-  int primary = 0, secondary = 0;
-  while (simulation.nextTime()) {
-    const auto report = simulation.step();
-    const auto* sector = std::get_if<SectorReport>(&report);
-    primary += sector != nullptr && sector->radar == 0;
-    secondary += std::holds_alternative<SecondarySectorReport>(report);
-    EXPECT_LE(secondary, primary);
-    EXPECT_LE(primary, secondary + 1);
+  SimulatedRun run(withSecondary(traffic()));
+  while (run.simulation.nextTime()) {
+    run.step();
+    EXPECT_LE(run.marks["ssr"].size(), run.marks["sps12"].size());
+    EXPECT_LE(run.marks["sps12"].size(), run.marks["ssr"].size() + 1);
   }
+  EXPECT_EQ(run.marks["ssr"].size(), 640u);
+  EXPECT_GT(run.marks["ssr"].back().running_count, 180u);  // 20 aircraft in cover, ten turns
+  for (const tws_msgs::SectorMark& mark : run.marks["ssr"]) EXPECT_EQ(mark.other_radars.size(), 2u);
+}
+
+Scenario withOutage(Scenario scenario, const std::string& radar) {
+  Fault outage;
+  outage.radar = radar;
+  outage.from = 1012.0;
+  outage.to = 1030.0;
+  scenario.faults.push_back(outage);
+  return scenario;
+}
+
+bool isWithinOutage(const tws_msgs::SectorMark& mark) {
+  return mark.header.stamp >= ros::Time(1012) && mark.header.stamp < ros::Time(1030);
 }
 
 // The feed stops and resumes: the consumers' case of a broken line.
 TEST(Simulation, SilencesASecondaryRadarAloneDuringItsOutage) {
-  Scenario scenario = withSecondary(traffic());
-  Fault outage;
-  outage.radar = "ssr";
-  outage.from = 1012.0;
-  outage.to = 1030.0;
-  scenario.faults.push_back(outage);
-  const Record record = run(scenario);
-  EXPECT_EQ(record.secondary.size(), 640u - 192u);
-  EXPECT_EQ(record.sectors.size(), 640u + 480u);
-  for (const SecondarySectorReport& report : record.secondary)
-    EXPECT_TRUE(report.sector.span.leave_time < 1012.0 || report.sector.span.leave_time >= 1030.0);
+  SimulatedRun run(withOutage(withSecondary(traffic()), "ssr"));
+  run.toEnd();
+  EXPECT_EQ(run.marks["ssr"].size(), 640u - 192u);
+  EXPECT_EQ(run.marks["sps12"].size(), 640u);
+  EXPECT_EQ(run.marks["sps39"].size(), 480u);
+  for (const tws_msgs::SectorMark& mark : run.marks["ssr"]) EXPECT_FALSE(isWithinOutage(mark));
 }
 
 // An outage is silence: no marks, and the other radar is told nothing of this one's antenna.
 TEST(Simulation, IsSilentDuringAnOutageWhileTheAntennaTurnsOn) {
-  Scenario scenario = traffic();
-  Fault outage;
-  outage.radar = "sps12";
-  outage.from = 1012.0;
-  outage.to = 1030.0;
-  scenario.faults.push_back(outage);
-  std::int64_t before = 0;
-  std::int64_t after = 0;
-  for (const SectorReport& report : run(scenario).sectors) {
-    const bool within = report.sector.leave_time >= 1012.0 && report.sector.leave_time < 1030.0;
-    if (report.radar == 1) {
-      EXPECT_EQ(report.others.size(), within ? 0u : 1u);
-      continue;
-    }
-    EXPECT_FALSE(within) << report.sector.leave_time;
-    if (report.sector.leave_time < 1012.0) before = report.sector.running;
-    if (after == 0 && report.sector.leave_time >= 1030.0) after = report.sector.running;
-  }
-  EXPECT_EQ(before, 126);        // the mark at 1012 s, which would close sector 127, is not heard
-  EXPECT_EQ(after, 64 * 5 - 1);  // the mark at 1030 s closes the fifth turn
+  SimulatedRun run(withOutage(traffic(), "sps12"));
+  run.toEnd();
+  for (const tws_msgs::SectorMark& mark : run.marks["sps39"])
+    EXPECT_EQ(mark.other_radars.size(), isWithinOutage(mark) ? 0u : 1u);
+  const auto& marks = run.marks["sps12"];
+  EXPECT_TRUE(std::none_of(marks.begin(), marks.end(), isWithinOutage));
+  const auto isAfter = [](const tws_msgs::SectorMark& mark) { return mark.header.stamp >= ros::Time(1030); };
+  const auto after = std::find_if(marks.begin(), marks.end(), isAfter);
+  ASSERT_NE(after, marks.end());
+  EXPECT_EQ(std::prev(after)->running_sector, 127u);  // the mark at 1012 s, which would be 128, is not heard
+  EXPECT_EQ(after->running_sector, 64u * 5u);         // the mark at 1030 s closes the fifth turn
 }
 
 // Truth decides what counts as "in cover".
 TEST(Simulation, TruthStatesWhatEachRadarWouldMeasure) {
-  const Record record = run(traffic());
-  for (const TruthReport& truth : record.truths) {
-    EXPECT_EQ(truth.entries.size(), 20u);
-    for (const TruthReport::Entry& entry : truth.entries) {
-      ASSERT_EQ(entry.sightings.size(), 2u);
-      const Eigen::Vector3d& p = entry.state.position;
-      EXPECT_NEAR(entry.sightings[0].slant_range, std::sqrt(p.x() * p.x() + p.y() * p.y() + std::pow(p.z() - 25.0, 2)),
-                  1e-3);
-      EXPECT_NEAR(std::remainder(entry.sightings[0].azimuth - std::atan2(p.x(), p.y()), 2.0 * M_PI), 0.0, 1e-9);
-      for (const auto& sighting : entry.sightings) {
-        EXPECT_GE(sighting.detection_probability, 0.0);
-        EXPECT_LE(sighting.detection_probability, 1.0);
+  SimulatedRun run(traffic());
+  run.toEnd();
+  for (const tws_msgs::Truth& truth : run.truths()) {
+    EXPECT_EQ(truth.radars, (std::vector<std::string>{"sps12", "sps39"}));
+    EXPECT_EQ(truth.targets.size(), 20u);
+    for (const tws_msgs::TruthTarget& target : truth.targets) {
+      ASSERT_EQ(target.slant_range.size(), 2u);
+      const auto& p = target.position;
+      EXPECT_NEAR(target.slant_range[0], std::sqrt(p.x * p.x + p.y * p.y + std::pow(p.z - 25.0, 2)), 1e-3);
+      EXPECT_NEAR(std::remainder(target.azimuth[0] - std::atan2(p.x, p.y), 2.0 * M_PI), 0.0, 1e-9);
+      for (const double probability : target.detection_probability) {
+        EXPECT_GE(probability, 0.0);
+        EXPECT_LE(probability, 1.0);
       }
     }
   }
@@ -233,17 +217,27 @@ TEST(Simulation, TruthStatesWhatEachRadarWouldMeasure) {
 TEST(Simulation, SeesEachTargetFromItsOwnSite) {
   Scenario scenario = traffic();
   scenario.sites.push_back({"island", {20e3, 0.0}});
-  scenario.radars[1].site = "island";
-  const Eigen::Isometry3d map_to_island = mapToRadar(scenario, scenario.radars[1]);
+  RadarParams island = radarOf("sps39", "SPS-39");
+  island.site = "island";
+  scenario.sensors[1] = std::make_shared<RotatingSpec>(island);
+  const Eigen::Isometry3d map_to_island = mapToAntenna(scenario, "sps39", "island", island.antenna_height);
   EXPECT_NEAR((map_to_island.inverse() * Eigen::Vector3d::Zero()).head<2>().x(), 20e3, 0.5);
   // North at the island is turned by longitude · sin(latitude): 20 km / (cos 54° · 6391 km) · sin 54° = 0.247°.
   const Eigen::Vector3d north_in_map = map_to_island.linear().transpose() * Eigen::Vector3d::UnitY();
   EXPECT_NEAR(tws::degrees(std::atan2(north_in_map.x(), north_in_map.y())), -0.247, 0.003);
-  const Record record = run(scenario);
-  for (const auto& entry : record.truths.front().entries) {
-    const Eigen::Vector3d at_island = map_to_island * entry.state.position;
-    EXPECT_NEAR(entry.sightings[1].slant_range, at_island.norm(), 1e-6);
+  SimulatedRun run(scenario);
+  run.step();
+  ASSERT_EQ(run.truths().size(), 1u);
+  for (const tws_msgs::TruthTarget& target : run.truths().front().targets) {
+    const Eigen::Vector3d position(target.position.x, target.position.y, target.position.z);
+    EXPECT_NEAR(target.slant_range[1], (map_to_island * position).norm(), 1e-6);
   }
+}
+
+TEST(Simulation, RefusesASiteThatIsNotThere) {
+  Scenario scenario = traffic();
+  scenario.sites.front().name = "harbour";
+  EXPECT_THROW(Simulation{scenario}, std::invalid_argument);
 }
 
 TEST(Simulation, RefusesANameThatIsUsedTwice) {
@@ -254,8 +248,10 @@ TEST(Simulation, RefusesANameThatIsUsedTwice) {
 
 TEST(Simulation, RunsWithoutRadars) {
   Scenario scenario = traffic();
-  scenario.radars.clear();
-  EXPECT_EQ(run(scenario).truths.size(), 61u);
+  scenario.sensors.clear();
+  SimulatedRun run(scenario);
+  run.toEnd();
+  EXPECT_EQ(run.truths().size(), 61u);
 }
 
 }  // namespace

@@ -11,8 +11,8 @@
 #include "flight_path.h"
 #include "scenario.h"
 #include "scenario_file_test_helpers.h"
-#include "simulation.h"
 #include "track_feed_messages.h"
+#include "track_feed_sensor.h"
 
 namespace radar_sim {
 namespace {
@@ -142,12 +142,12 @@ TEST(TrackFeed, MessagesSayPrimaryTracksWithoutAndSecondaryTracksWithHeightAndCo
 
 TEST_F(ScenarioFile, OfAFeedNamesAPrimaryRadar) {
   const std::string radars = "radars: [{name: a}]\nsecondary_radars: [{name: s}]\n";
-  EXPECT_FALSE(load(radars).track_feed.has_value());
-  const auto feed = load(radars + "track_feed: {clock_radar: a, position_sigma_m: 3}").track_feed;
-  ASSERT_TRUE(feed.has_value());
-  EXPECT_EQ(feed->clock_radar, "a");
-  EXPECT_EQ(feed->position_sigma, 3.0);
-  EXPECT_EQ(feed->velocity_sigma, 5.0);
+  EXPECT_EQ(load(radars).sensors.size(), 2u);
+  const Scenario scenario = load(radars + "track_feed: {clock_radar: a, position_sigma_m: 3}");
+  const TrackFeedParams feed = dynamic_cast<const TrackFeedSpec&>(*scenario.sensors.back()).params;
+  EXPECT_EQ(feed.clock_radar, "a");
+  EXPECT_EQ(feed.position_sigma, 3.0);
+  EXPECT_EQ(feed.velocity_sigma, 5.0);
   expectComplaint(radars + "track_feed: {}", 3, "clock_radar");
   expectComplaint(radars + "track_feed: {clock_radar: s}", 3, "clock_radar");
   expectComplaint(radars + "track_feed: {clock_radar: a, position_sigma_m: -1}", 3, "position_sigma_m");

@@ -2,6 +2,10 @@
 #include <radar_sim/radar_sim_node.h>
 #include <ros/ros.h>
 #include <tf2_msgs/TFMessage.h>
+#include <tws_msgs/Detections.h>
+#include <tws_msgs/SectorMark.h>
+#include <tws_msgs/SsrPlots.h>
+#include <tws_msgs/Truth.h>
 #include <tws_runtime/local_graph.h>
 #include <tws_runtime/parameters.h>
 #include <tws_runtime/run.h>

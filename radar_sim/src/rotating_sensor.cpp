@@ -1,0 +1,59 @@
+#include "rotating_sensor.h"
+
+#include <tws_runtime/conversions.h>
+
+#include "radar_reader.h"
+#include "scenario.h"
+#include "sensor_port.h"
+
+namespace radar_sim {
+
+std::unique_ptr<SensorSpec> readRotatingSensor(ParameterReader& reader, const Scenario& scenario) {
+  auto spec = std::make_unique<RotatingSpec>(readRadar(reader));
+  settleSite(spec->params.site, scenario, reader);
+  return spec;
+}
+
+std::unique_ptr<Sensor> RotatingSpec::make(const Scene& scene) const {
+  return std::make_unique<RotatingSensor>(*this, scene);
+}
+
+RotatingSensor::RotatingSensor(const RotatingSpec& spec, const Scene& scene)
+    : Sensor(spec),
+      targets_(scene.targets),
+      map_to_site_(mapToAntenna(scene.scenario, spec.name, spec.params.site, spec.params.antenna_height)),
+      radar_(spec.params, map_to_site_, scene.targets, faultsOf(scene.scenario, spec.name), scene.scenario.seed,
+             scene.scenario.start_time),
+      marks_(*this, scene) {}
+
+void RotatingSensor::connect(SensorPort& port) {
+  detections_ = port.advertise<tws_msgs::Detections>("detections");
+  marks_.connect(port);
+  port.publishFrame(map_to_site_);
+  if (params().elevation_search) elevation_.emplace(port, radar_);
+}
+
+void RotatingSensor::step() {
+  if (elevation_) elevation_->applyCommands();
+  const tws::RadarSector sector = radar_.closeSector();
+  detections_.publish(tws_runtime::toDetections(sector, name(), name()));
+  if (on_sector_) on_sector_(sector);
+  if (elevation_) elevation_->onMark(sector);
+  marks_.publish({sector.running, sector.leave_time, sector.plots.size(), radar_.rotationPeriod(sector.running + 1)});
+}
+
+void RotatingSensor::stopWaiting() {
+  if (elevation_) elevation_->stopWaiting();
+}
+
+std::optional<double> RotatingSensor::beamAt(double time) const {
+  if (radar_.isSilentAt(time)) return std::nullopt;
+  return radar_.antenna().azimuthAt(time);
+}
+
+Sighting RotatingSensor::sightingOf(std::size_t target, double time) const {
+  const tws::Polar polar = radar_.polarOf(targets_[target], time);
+  return {polar.range, polar.azimuth, radar_.detectionProbability(target, time)};
+}
+
+}  // namespace radar_sim
