@@ -84,9 +84,9 @@ class AditNode::Impl {
   explicit Impl(Bus& bus)
       : bus_(bus),
         params_(readNodeParams(bus)),
-        tracks_(bus.advertise<tws_msgs::Tracks>("/" + bus.name() + "/tracks")),
-        clutter_(bus.advertise<tws_msgs::ClutterMap>("/" + bus.name() + "/clutter_map", true)),
-        status_(bus.advertise<tws_msgs::TrackerStatus>("/" + bus.name() + "/status")),
+        tracks_(bus.advertise<tws_msgs::Tracks>("~tracks")),
+        clutter_(bus.advertise<tws_msgs::ClutterMap>("~clutter_map", true)),
+        status_(bus.advertise<tws_msgs::TrackerStatus>("~status")),
         elevation_(bus, params_.adit),
         operators_(bus, params_.frame, params_.point_topic, operatorHost()),
         clutter_port_(bus, operators_, params_.adit, params_.clutter_map,

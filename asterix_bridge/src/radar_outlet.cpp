@@ -20,7 +20,7 @@ RadarOutlet::Topics& RadarOutlet::topicsOf(SourceId radar) {
     topics.name = setting->second.name;
   else
     topics.name = topics_.empty() && !params_.main_radar.empty() ? params_.main_radar : radarName(radar);
-  const std::string path = "/" + topics.name + "/";
+  const std::string path = topics.name + "/";
   topics.detections = bus_.advertise<tws_msgs::Detections>(path + "detections");
   topics.plots = bus_.advertise<tws_msgs::SsrPlots>(path + "plots");
   topics.marks = bus_.advertise<tws_msgs::SectorMark>(path + "sector_marks");

@@ -44,9 +44,9 @@ class FrameBuilderNode::Impl {
   explicit Impl(Bus& bus)
       : bus_(bus),
         params_(readNodeParams(bus)),
-        topic_("/" + params_.radar + "/dwell_reports"),
+        topic_(params_.radar + "/dwell_reports"),
         watch_(params_.restart_limit),
-        frames_(bus.advertise<tws_msgs::Frame>("/" + params_.radar + "/frames")) {
+        frames_(bus.advertise<tws_msgs::Frame>(params_.radar + "/frames")) {
     begin();
     bus.subscribe<tws_msgs::DwellReports>(topic_, [this](const auto& message) { hear(message); });
     if (!params_.builder.expects_next_dwell)

@@ -50,10 +50,10 @@ class MfaStubNode::Impl {
   explicit Impl(Bus& bus)
       : bus_(bus),
         params_(readNodeParams(bus)),
-        topic_("/" + params_.radar + "/frames"),
+        topic_(params_.radar + "/frames"),
         watch_(params_.restart_limit),
-        tracks_(bus.advertise<tws_msgs::Tracks>("/" + params_.radar + "/tracks")),
-        database_(bus.advertise<tws_msgs::TrackDatabase>("/" + params_.radar + "/track_database")) {
+        tracks_(bus.advertise<tws_msgs::Tracks>(params_.radar + "/tracks")),
+        database_(bus.advertise<tws_msgs::TrackDatabase>(params_.radar + "/track_database")) {
     bus.subscribe<tws_msgs::Frame>(topic_, [this](const auto& message) { hear(message); });
   }
 

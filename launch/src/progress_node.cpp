@@ -21,15 +21,14 @@ ProgressNode::ProgressNode(tws_runtime::Bus& bus, std::ostream& out) : out_(out)
   reader.texts("correlators", correlators);
   reader.number("length", length_, 0.0, std::numeric_limits<double>::max());
   reader.done();
-  for (const std::string& radar : radars) listen<tws_msgs::Detections>(bus, "/" + radar + "/detections");
-  for (const std::string& radar : array_radars) listen<tws_msgs::DwellReports>(bus, "/" + radar + "/dwell_reports");
-  for (const std::string& radar : range_radars) listen<tws_msgs::RangeProfile>(bus, "/" + radar + "/range_profile");
+  for (const std::string& radar : radars) listen<tws_msgs::Detections>(bus, radar + "/detections");
+  for (const std::string& radar : array_radars) listen<tws_msgs::DwellReports>(bus, radar + "/dwell_reports");
+  for (const std::string& radar : range_radars) listen<tws_msgs::RangeProfile>(bus, radar + "/range_profile");
   for (const std::string& tracker : trackers) {
-    listen<tws_msgs::Tracks>(bus, "/" + tracker + "/tracks");
-    listen<tws_msgs::ClutterMap>(bus, "/" + tracker + "/clutter_map");
+    listen<tws_msgs::Tracks>(bus, tracker + "/tracks");
+    listen<tws_msgs::ClutterMap>(bus, tracker + "/clutter_map");
   }
-  for (const std::string& correlator : correlators)
-    listen<tws_msgs::CorrelatedTracks>(bus, "/" + correlator + "/tracks");
+  for (const std::string& correlator : correlators) listen<tws_msgs::CorrelatedTracks>(bus, correlator + "/tracks");
   constexpr double kPeriod = 5.0;
   bus.everyWall(kPeriod, [this] { say(0.0); });
 }

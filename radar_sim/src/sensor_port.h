@@ -49,7 +49,7 @@ class SensorPort {
   static std::string typeName() {
     return ros::message_traits::datatype<M>();
   }
-  std::string nameOf(const std::string& leaf) const { return "/" + topics_.name + "/" + leaf; }
+  std::string nameOf(const std::string& leaf) const { return topics_.name + "/" + leaf; }
 
   tws_runtime::Bus& bus_;
   SensorTopics topics_;

@@ -45,7 +45,7 @@ TrackFeedSensor::TrackFeedSensor(const TrackFeedSpec& spec, const Scene& scene)
 
 void TrackFeedSensor::connect(SensorPort& port) {
   for (Feed& feed : feeds_)
-    feed.topic = port.advertiseAs<tws_msgs::Tracks>("/" + nameOf(feed.tracks.kind()) + "/tracks");
+    feed.topic = port.advertiseAs<tws_msgs::Tracks>(nameOf(feed.tracks.kind()) + "/tracks");
   clock_.onSector([this](const tws::RadarSector& sector) { publish(sector); });
 }
 

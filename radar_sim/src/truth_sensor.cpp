@@ -37,7 +37,7 @@ std::unique_ptr<Sensor> TruthSpec::make(const Scene& scene) const {
   return std::make_unique<TruthSensor>(*this, scene);
 }
 
-void TruthSensor::connect(SensorPort& port) { topic_ = port.advertiseAs<tws_msgs::Truth>("/truth"); }
+void TruthSensor::connect(SensorPort& port) { topic_ = port.advertiseAs<tws_msgs::Truth>("truth"); }
 
 double TruthSensor::nextTime() const {
   return scene_.scenario.start_time + static_cast<double>(count_) * scene_.scenario.truth_period;

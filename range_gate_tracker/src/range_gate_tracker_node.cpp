@@ -49,10 +49,10 @@ class RangeGateTrackerNode::Impl {
   explicit Impl(Bus& bus)
       : bus_(bus),
         params_(readNodeParams(bus)),
-        topic_("/" + params_.radar + "/range_profile"),
+        topic_(params_.radar + "/range_profile"),
         guard_(1, params_.restart_limit),
-        gates_(bus.advertise<tws_msgs::RangeGate>("/" + params_.radar + "/range_gate")),
-        tracks_(bus.advertise<tws_msgs::Tracks>("/" + params_.radar + "/tracks")) {
+        gates_(bus.advertise<tws_msgs::RangeGate>(params_.radar + "/range_gate")),
+        tracks_(bus.advertise<tws_msgs::Tracks>(params_.radar + "/tracks")) {
     begin();
     bus.subscribe<tws_msgs::RangeProfile>(topic_, [this](const auto& message) { hear(message); });
   }

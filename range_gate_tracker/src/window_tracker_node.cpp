@@ -31,7 +31,7 @@ using tws_msgs::OperatorRequest;
 using tws_runtime::Bus;
 using tws_runtime::Site;
 
-const char* const kRequestTopic = "/tws/operator_requests";
+const char* const kRequestTopic = "tws/operator_requests";
 
 struct NodeParams {
   WindowParams tracker;
@@ -75,8 +75,8 @@ class WindowTrackerNode::Impl {
   explicit Impl(Bus& bus)
       : bus_(bus),
         params_(readNodeParams(bus)),
-        tracks_(bus.advertise<tws_msgs::Tracks>("/tws/tracks")),
-        windows_(bus.advertise<tws_msgs::TrackWindows>("/tws/windows")),
+        tracks_(bus.advertise<tws_msgs::Tracks>("tws/tracks")),
+        windows_(bus.advertise<tws_msgs::TrackWindows>("tws/windows")),
         inputs_(
             bus, {tws_runtime::usualTopics(params_.radar)}, params_.inputs,
             [this](std::size_t, tws::RadarSector sector) { onSector(std::move(sector)); },
@@ -101,7 +101,7 @@ class WindowTrackerNode::Impl {
   void hearOperator() {
     requests_ = bus_.advertise<OperatorRequest>(kRequestTopic);
     bus_.subscribe<geometry_msgs::PointStamped>("/clicked_point", [this](const auto& point) { designate(point); });
-    bus_.serve<tws_msgs::DropTrack>("/tws/drop_track",
+    bus_.serve<tws_msgs::DropTrack>("tws/drop_track",
                                     [this](auto& request, auto& response) { return drop(request, response); });
   }
 

@@ -75,8 +75,8 @@ void BM_RadarInputs(benchmark::State& state) {
   const auto plots = static_cast<std::size_t>(state.range(0));
   LocalGraph graph(std::cerr);
   Bus& radar = graph.addNode("a");
-  auto detections = radar.advertise<tws_msgs::Detections>("detections");
-  auto marks = radar.advertise<tws_msgs::SectorMark>("sector_marks");
+  auto detections = radar.advertise<tws_msgs::Detections>("~detections");
+  auto marks = radar.advertise<tws_msgs::SectorMark>("~sector_marks");
   std::int64_t sectors = 0;
   const RadarInputs inputs(
       graph.addNode("tracker"), {usualTopics("a")}, RadarInputs::Options(),

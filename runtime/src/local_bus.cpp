@@ -12,8 +12,9 @@ LocalBus::LocalBus(LocalCore& core, const std::string& name, const YAML::Node& p
     : core_(core),
       name_(name),
       parameters_(parameters),
-      remaps_(remaps),
-      counters_(name, [&core](const std::string& line) { core.log() << line << std::endl; }) {}
+      counters_(name, [&core](const std::string& line) { core.log() << line << std::endl; }) {
+  for (const auto& [from, to] : remaps) remaps_.emplace(absoluteName(name, from), absoluteName(name, to));
+}
 
 YAML::Node LocalBus::parameters() const { return withoutRuntimeKeys(parameters_); }
 

@@ -44,7 +44,7 @@ class LocalBus : public Bus {
   LocalCore& core_;
   const std::string name_;
   const YAML::Node parameters_;
-  const std::map<std::string, std::string> remaps_;
+  std::map<std::string, std::string> remaps_;  // absolute names
   CounterSet counters_;
   tf2_msgs::TFMessage static_transforms_;
   Publisher<tf2_msgs::TFMessage> static_transform_publisher_;

@@ -99,21 +99,29 @@ TEST_F(LocalGraphTest, TwoTypesOnOneTopicAreRefusedByAnErrorThatNamesTopicAndTyp
 }
 
 // If this fails, the offline graph is wired otherwise than the live one.
-TEST_F(LocalGraphTest, ARelativeNameIsTheNodesOwnAndRemapsAreFollowed) {
+TEST_F(LocalGraphTest, APrivateNameIsTheNodesOwnAndRemapsAreFollowed) {
   Bus& c = graph.addNode("c", YAML::Node(), {{"/c/out", "/a/in"}});
-  auto publisher = c.advertise<std_msgs::Int32>("out");
-  hear(a, "in");
+  auto publisher = c.advertise<std_msgs::Int32>("~out");
+  hear(a, "~in");
   publisher.publish(number(3));
   graph.drain();
   EXPECT_EQ(heard, std::vector<int>{3});
   EXPECT_TRUE(graph.isPublished("/a/in"));
   EXPECT_FALSE(graph.isPublished("/c/out"));
-  EXPECT_THROW(a.advertise<std_msgs::Int32>("~out"), std::invalid_argument);
+  EXPECT_THROW(a.advertise<std_msgs::Int32>("~"), std::invalid_argument);
   EXPECT_THROW(a.advertise<std_msgs::Int32>("two words"), std::invalid_argument);
   EXPECT_THROW(graph.addNode("a"), std::invalid_argument);
 }
 
-// If this fails, the operator's requests cannot be tested without a master.
+// If this fails, a graph cannot be put into a namespace, and two sites cannot run side by side.
+TEST_F(LocalGraphTest, ARelativeNameBelongsToTheNodesNamespace) {
+  Bus& c = graph.addNode("siteA/c", YAML::Node(), {{"in", "other"}, {"~own", "/siteA/c/renamed"}});
+  for (const char* name : {"numbers", "~mine", "/numbers", "in", "~own"}) c.advertise<std_msgs::Int32>(name);
+  for (const char* name : {"/siteA/numbers", "/siteA/c/mine", "/numbers", "/siteA/other", "/siteA/c/renamed"})
+    EXPECT_TRUE(graph.isPublished(name)) << name;
+  EXPECT_FALSE(graph.isPublished("/siteA/in"));
+}
+
 // If this fails, a node that works bit by bit does not know what has arrived meanwhile.
 TEST_F(LocalGraphTest, ATaskWaitsForAllThatHasArrivedAndOfflineNothingIsLive) {
   auto numbers = a.advertise<std_msgs::Int32>("/numbers");
@@ -128,10 +136,11 @@ TEST_F(LocalGraphTest, ATaskWaitsForAllThatHasArrivedAndOfflineNothingIsLive) {
   EXPECT_FALSE(b.live());
 }
 
+// If this fails, the operator's requests cannot be tested without a master.
 TEST_F(LocalGraphTest, AServiceAnswersAndWhatItPublishesIsDelivered) {
   auto publisher = a.advertise<std_msgs::Int32>("/dropped");
   hear(b, "/dropped");
-  a.serve<tws_msgs::DropTrack>("drop",
+  a.serve<tws_msgs::DropTrack>("~drop",
                                [&](tws_msgs::DropTrack::Request& request, tws_msgs::DropTrack::Response& response) {
                                  for (const auto track : request.numbers)
                                    publisher.publish(number(static_cast<int>(track)));

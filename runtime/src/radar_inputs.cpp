@@ -18,9 +18,7 @@ SectorCrossing crossingOf(const tws_msgs::SectorMark& mark) {
 
 }  // namespace
 
-RadarTopics usualTopics(const std::string& radar) {
-  return {radar, "/" + radar + "/detections", "/" + radar + "/sector_marks"};
-}
+RadarTopics usualTopics(const std::string& radar) { return {radar, radar + "/detections", radar + "/sector_marks"}; }
 
 class RadarInputs::Impl {
  public:

@@ -136,8 +136,8 @@ class RadarInputsTest : public ::testing::Test {
   LocalGraph graph{log};
   Bus& radar = graph.addNode("a");
   Bus& listener = graph.addNode("tracker");
-  Publisher<tws_msgs::Detections> detections_ = radar.advertise<tws_msgs::Detections>("detections");
-  Publisher<tws_msgs::SectorMark> marks_ = radar.advertise<tws_msgs::SectorMark>("sector_marks");
+  Publisher<tws_msgs::Detections> detections_ = radar.advertise<tws_msgs::Detections>("~detections");
+  Publisher<tws_msgs::SectorMark> marks_ = radar.advertise<tws_msgs::SectorMark>("~sector_marks");
   std::vector<tws::RadarSector> sectors;
   RadarInputs inputs{listener,
                      {usualTopics("a")},
@@ -167,7 +167,7 @@ TEST_F(RadarInputsTest, ABadPlotIsNamedAndTheOthersOfItsSectorStay) {
   EXPECT_EQ(sectors[0].plots[0].range, 3000.0);
   EXPECT_EQ(count("bad detections"), 2u);
   EXPECT_EQ(count("count mismatches"), 0u);
-  EXPECT_EQ(log.str(), "tracker: bad detections (1): azimuth is nan in /a/detections at 0.100000 s\n");
+  EXPECT_EQ(log.str(), "tracker: bad detections (1): azimuth is nan in a/detections at 0.100000 s\n");
 }
 
 TEST_F(RadarInputsTest, MessagesOfAnotherRadarOrWithAWrongSectorAreRefusedAndNamed) {
@@ -175,7 +175,7 @@ TEST_F(RadarInputsTest, MessagesOfAnotherRadarOrWithAWrongSectorAreRefusedAndNam
   message.radar = "b";
   detections_.publish(message);
   graph.drain();
-  EXPECT_EQ(log.str(), "tracker: bad messages (1): radar 'b', expected 'a' in /a/detections at 0.000000 s\n");
+  EXPECT_EQ(log.str(), "tracker: bad messages (1): radar 'b', expected 'a' in a/detections at 0.000000 s\n");
   message.radar = "a";
   message.sector = 3;
   message.running_sector = 68;

@@ -8,9 +8,13 @@ namespace tws_runtime {
 
 std::string absoluteName(const std::string& node, const std::string& name) {
   std::string reason;
-  if (name.empty() || name[0] == '~' || !ros::names::validate(name, reason))
+  if (name.empty() || name == "~" || !ros::names::validate(name, reason))
     throw std::invalid_argument(node + ": '" + name + "' is no topic or service name");
-  return ros::names::clean(name[0] == '/' ? name : "/" + node + "/" + name);
+  if (name[0] == '/') return ros::names::clean(name);
+  if (name[0] == '~') return ros::names::clean("/" + node + "/" + name.substr(1));
+  const std::size_t slash = node.rfind('/');
+  const std::string space = slash == std::string::npos ? "" : "/" + node.substr(0, slash);
+  return ros::names::clean(space + "/" + name);
 }
 
 }  // namespace tws_runtime

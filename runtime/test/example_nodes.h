@@ -49,12 +49,14 @@ class NumbersSource : public Source {
 class RelayNode {
  public:
   explicit RelayNode(Bus& bus)
-      : bus_(bus), out_(bus.advertise<tws_msgs::Detections>("out")), ticks_(bus.advertise<std_msgs::Header>("ticks")) {
+      : bus_(bus),
+        out_(bus.advertise<tws_msgs::Detections>("~out")),
+        ticks_(bus.advertise<std_msgs::Header>("~ticks")) {
     ParameterReader reader(bus.parameters(), bus.name());
     reader.integer("gain", gain_, 1, 100);
     reader.done();
     bus.subscribe<tws_msgs::Detections>("/numbers", [this](const auto& message) { relay(message); });
-    bus.serve<tws_msgs::DropTrack>("add", [this](auto& request, auto& response) { return add(request, response); });
+    bus.serve<tws_msgs::DropTrack>("~add", [this](auto& request, auto& response) { return add(request, response); });
     bus.everyData(0.5, [this](ros::Time deadline) { tick(deadline); });
   }
 

@@ -237,12 +237,12 @@ TEST_F(RosBusTest, ASourceGoesOnWithoutSubscribersAfterAWarningAndRunsAsFastAsPo
 /// Five reports, each answered by a node of the same process while that has `answers` left.
 class LoopSource : public Source {
  public:
-  LoopSource(Bus& bus, int answers) : reports_(bus.advertise<std_msgs::Header>("report")), answers_left_(answers) {
-    Publisher<std_msgs::Header> commands = bus.advertise<std_msgs::Header>("command");
-    bus.subscribe<std_msgs::Header>("report", [this, commands](const std_msgs::Header& report) mutable {
+  LoopSource(Bus& bus, int answers) : reports_(bus.advertise<std_msgs::Header>("~report")), answers_left_(answers) {
+    Publisher<std_msgs::Header> commands = bus.advertise<std_msgs::Header>("~command");
+    bus.subscribe<std_msgs::Header>("~report", [this, commands](const std_msgs::Header& report) mutable {
       if (answers_left_-- > 0) commands.publish(report);
     });
-    bus.subscribe<std_msgs::Header>("command", [this](const auto& m) { loop_.hear(m.stamp, m.stamp); });
+    bus.subscribe<std_msgs::Header>("~command", [this](const auto& m) { loop_.hear(m.stamp, m.stamp); });
   }
   std::optional<ros::Time> nextTime() const override {
     return steps < 5 ? std::optional<ros::Time>(ros::Time(1.0 + steps)) : std::nullopt;

@@ -16,8 +16,7 @@ void readColor(ParameterReader& reader, Rgba& color) {
 }
 
 RadarParams defaultRadar(const std::string& name, std::size_t place) {
-  return {name, "/" + name + "/detections", "/" + name + "/sector_marks", kPalette[place % kPalette.size()],
-          "/" + name + "/plots"};
+  return {name, name + "/detections", name + "/sector_marks", kPalette[place % kPalette.size()], name + "/plots"};
 }
 
 RadarParams readRadar(ParameterReader& reader, std::size_t place) {
@@ -60,12 +59,12 @@ void readLists(ParameterReader& reader, PpiParams& params) {
   for (ParameterReader& radar : reader.list("radars")) params.radars.push_back(readRadar(radar, params.radars.size()));
   for (ParameterReader& tracker : reader.list("trackers")) params.trackers.push_back(readTracker(tracker));
   for (ParameterReader& one : reader.list("correlators")) params.correlators.push_back(readCorrelator(one));
-  if (!reader.has("correlators")) params.correlators.push_back({"correlated", "/correlated/tracks", {"/adit/tracks"}});
+  if (!reader.has("correlators")) params.correlators.push_back({"correlated", "correlated/tracks", {"adit/tracks"}});
   if (!reader.has("radars"))
     for (const char* name : {"sps12", "sps39", "sps10"})
       params.radars.push_back(defaultRadar(name, params.radars.size()));
   if (!reader.has("trackers"))
-    params.trackers = {{"adit", "/adit/tracks", "", false}, {"esa", "/esa/tracks", "E", false}};
+    params.trackers = {{"adit", "adit/tracks", "", false}, {"esa", "esa/tracks", "E", false}};
 }
 
 void readPicture(ParameterReader& reader, PpiParams& params) {

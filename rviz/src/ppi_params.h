@@ -13,10 +13,10 @@ namespace tws_rviz {
 
 struct RadarParams {
   std::string name;
-  std::string detections;    // topic; default /NAME/detections
-  std::string sector_marks;  // topic; default /NAME/sector_marks
+  std::string detections;    // topic; default NAME/detections
+  std::string sector_marks;  // topic; default NAME/sector_marks
   Rgba color;                // default: from a palette, by place in the list
-  std::string plots;         // topic of SsrPlots; default /NAME/plots
+  std::string plots;         // topic of SsrPlots; default NAME/plots
 };
 
 struct TrackerParams {
@@ -44,13 +44,13 @@ struct PpiParams {
   double afterglow = tws::radians(60.0);  // angle that glows behind the beam [rad]
   double persistence_scans = 2.0;         // scans after which a detection has faded
   TrackLook tracks;
-  std::string clutter_topic = "/adit/clutter_map";  // empty: none
-  bool legend = true;                               // what the symbols mean
+  std::string clutter_topic = "adit/clutter_map";  // empty: none
+  bool legend = true;                              // what the symbols mean
   bool truth = false;
-  std::string truth_topic = "/truth";
+  std::string truth_topic = "truth";
   std::vector<RadarParams> radars;            // default: sps12, sps39, sps10
-  std::vector<TrackerParams> trackers;        // default: /adit/tracks, /esa/tracks
-  std::vector<CorrelatorParams> correlators;  // default: /correlated/tracks, which covers /adit/tracks
+  std::vector<TrackerParams> trackers;        // default: adit/tracks, esa/tracks
+  std::vector<CorrelatorParams> correlators;  // default: correlated/tracks, which covers adit/tracks
 };
 
 /// Throws tws_runtime::ParameterError that names what is unknown, out of range or missing.

@@ -63,13 +63,13 @@ TEST(PpiParams, RadarsAndTrackersAreLists) {
       "{radars: [{name: msr, color: [1, 0.5, 0]}, {name: ssr, detections: /ssr/skin, plots: /ssr/replies}],"
       " trackers: [{topic: /adit/tracks}, {topic: /ssr/tracks, prefix: S, symbols_only: true}]}");
   ASSERT_EQ(params.radars.size(), 2u);
-  EXPECT_EQ(params.radars[0].sector_marks, "/msr/sector_marks");
-  EXPECT_EQ(params.radars[0].plots, "/msr/plots");
+  EXPECT_EQ(params.radars[0].sector_marks, "msr/sector_marks");
+  EXPECT_EQ(params.radars[0].plots, "msr/plots");
   EXPECT_FLOAT_EQ(params.radars[0].color.g, 0.5f);
   EXPECT_EQ(params.radars[1].detections, "/ssr/skin");
   EXPECT_EQ(params.radars[1].plots, "/ssr/replies");
   ASSERT_EQ(params.trackers.size(), 2u);
-  EXPECT_EQ(params.trackers[0].name, "/adit/tracks");
+  EXPECT_EQ(params.trackers[0].name, "adit/tracks");
   EXPECT_EQ(params.trackers[1].prefix, "S");
   EXPECT_FALSE(params.trackers[0].symbols_only);
   EXPECT_TRUE(params.trackers[1].symbols_only);

@@ -16,7 +16,7 @@ class Screen {
   Screen(tws_runtime::Bus& bus, const std::string& frame, const std::string& picture, const std::string& name,
          double height, bool latched = false)
       : layer_(frame, name, height),
-        publisher_(bus.advertise<visualization_msgs::MarkerArray>("/" + picture + "/" + name, latched)) {}
+        publisher_(bus.advertise<visualization_msgs::MarkerArray>(picture + "/" + name, latched)) {}
   void show(const Drawing& drawing, ros::Time time) { publisher_.publish(layer_.show(drawing, time)); }
 
  private:

@@ -75,7 +75,7 @@ bool isGood(const tws_msgs::DwellReport& dwell) {
 class SineSpaceNode::Impl {
  public:
   explicit Impl(tws_runtime::Bus& bus) : bus_(bus), params_(readParams(bus)), picture_(makePicture()) {
-    const std::string topic = "/" + params_.radar;
+    const std::string& topic = params_.radar;
     bus.subscribe<tws_msgs::DwellReports>(topic + "/dwell_reports", [this](const auto& message) { hear(message); });
     bus.subscribe<tws_msgs::Frame>(topic + "/frames", [this](const auto& message) { hear(message); });
     bus.subscribe<tws_msgs::Tracks>(topic + "/tracks", [this](const auto& message) { hear(message); });

@@ -49,9 +49,9 @@ class SsrTrackerNode::Impl {
   explicit Impl(Bus& bus)
       : bus_(bus),
         params_(readNodeParams(bus)),
-        topic_("/" + params_.radar + "/plots"),
+        topic_(params_.radar + "/plots"),
         guard_(1, params_.restart_limit),
-        tracks_(bus.advertise<tws_msgs::Tracks>("/ssr/tracks")) {
+        tracks_(bus.advertise<tws_msgs::Tracks>("ssr/tracks")) {
     begin();
     bus.subscribe<tws_msgs::SsrPlots>(topic_, [this](const auto& message) { hear(message); });
   }

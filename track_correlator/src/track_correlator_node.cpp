@@ -25,10 +25,10 @@ using tws_runtime::Bus;
 struct NodeParams {
   CorrelatorParams correlator;
   std::string clock_radar = "sps12";
-  std::array<std::string, 2> tracks = {"/adit/tracks", "/ssr/tracks"};  // topics: primary, secondary
-  double skew_limit = 3.0;                                              // [s]
-  double restart_limit = 5.0;                                           // [s]
-  double position_sigma = 200.0, velocity_sigma = 30.0;                 // of tracks without a covariance [m], [m/s]
+  std::array<std::string, 2> tracks = {"adit/tracks", "ssr/tracks"};  // topics: primary, secondary
+  double skew_limit = 3.0;                                            // [s]
+  double restart_limit = 5.0;                                         // [s]
+  double position_sigma = 200.0, velocity_sigma = 30.0;               // of tracks without a covariance [m], [m/s]
 };
 
 NodeParams readNodeParams(Bus& bus) {
@@ -61,12 +61,12 @@ class TrackCorrelatorNode::Impl {
         params_(readNodeParams(bus)),
         guard_(3, params_.restart_limit),
         order_(3, params_.skew_limit),
-        out_(bus.advertise<tws_msgs::CorrelatedTracks>("/correlated/tracks")) {
+        out_(bus.advertise<tws_msgs::CorrelatedTracks>("correlated/tracks")) {
     begin();
     for (const std::size_t stream : {kPrimary, kSecondary})
       bus.subscribe<tws_msgs::Tracks>(params_.tracks[stream],
                                       [this, stream](const tws_msgs::Tracks& message) { hear(stream, message); });
-    bus.subscribe<tws_msgs::SectorMark>("/" + params_.clock_radar + "/sector_marks",
+    bus.subscribe<tws_msgs::SectorMark>(params_.clock_radar + "/sector_marks",
                                         [this](const tws_msgs::SectorMark& mark) { hear(mark); });
   }
 
@@ -88,7 +88,7 @@ class TrackCorrelatorNode::Impl {
   }
 
   void hear(const tws_msgs::SectorMark& mark) {
-    const std::string topic = "/" + params_.clock_radar + "/sector_marks";
+    const std::string topic = params_.clock_radar + "/sector_marks";
     if (mark.radar != params_.clock_radar || mark.sector != mark.running_sector % tws::kSectors)
       bus_.counter("bad messages")
           .add("radar '" + mark.radar + "', sector " + std::to_string(mark.sector) + " in " + topic);

@@ -27,15 +27,15 @@ class EvaluationNode::Impl {
   explicit Impl(tws_runtime::Bus& bus)
       : bus_(bus),
         params_(readEvaluationParams(bus)),
-        summary_(bus.advertise<tws_msgs::EvaluationSummary>("summary", true)),
-        timing_(bus.advertise<tws_msgs::EvaluationSummary>("timing", true)) {
+        summary_(bus.advertise<tws_msgs::EvaluationSummary>("~summary", true)),
+        timing_(bus.advertise<tws_msgs::EvaluationSummary>("~timing", true)) {
     begin();
-    listen<tws_msgs::Truth>("/truth");
-    for (const std::string& tracker : params_.trackers) listen<tws_msgs::Tracks>("/" + tracker + "/tracks");
+    listen<tws_msgs::Truth>({"truth", ""});
+    for (const std::string& tracker : params_.trackers) listen<tws_msgs::Tracks>({tracker + "/tracks", tracker});
     for (const std::string& correlator : params_.correlators)
-      listen<tws_msgs::CorrelatedTracks>("/" + correlator + "/tracks");
-    for (const std::string& radar : params_.radars) listen<tws_msgs::Detections>("/" + radar + "/detections");
-    for (const std::string& radar : params_.secondary_radars) listen<tws_msgs::SsrPlots>("/" + radar + "/plots");
+      listen<tws_msgs::CorrelatedTracks>({correlator + "/tracks", correlator});
+    for (const std::string& radar : params_.radars) listen<tws_msgs::Detections>({radar + "/detections", radar});
+    for (const std::string& radar : params_.secondary_radars) listen<tws_msgs::SsrPlots>({radar + "/plots", radar});
     bus.everyData(params_.period, [this](ros::Time now) { publish(now); });
   }
 
@@ -76,10 +76,15 @@ class EvaluationNode::Impl {
     unsigned run;   // the run that it belongs to
   };
 
+  struct Input {
+    std::string topic;
+    std::string name;  // of the tracker, correlator or radar; empty: of the truth
+  };
+
   template <class M>
-  void listen(const std::string& topic) {
-    bus_.subscribe<M>(topic, [this, topic](const M& message) {
-      if (fits(topic, message.header.stamp)) take(topic, message);
+  void listen(const Input& input) {
+    bus_.subscribe<M>(input.topic, [this, input](const M& message) {
+      if (fits(input.topic, message.header.stamp)) take(input, message);
     });
   }
 
@@ -117,52 +122,52 @@ class EvaluationNode::Impl {
     return true;
   }
 
-  void take(const std::string& topic, const tws_msgs::Truth& message) {
+  void take(const Input& input, const tws_msgs::Truth& message) {
     for (const tws_msgs::TruthTarget& target : message.targets) {
       const std::string fault = faultOf(target);
       if (!fault.empty())
         bus_.counter("bad truth")
-            .add("target " + std::to_string(target.id) + " in " + topic + " at " +
+            .add("target " + std::to_string(target.id) + " in " + input.topic + " at " +
                  std::to_string(toSeconds(message.header.stamp)) + " s: " + fault);
     }
     for (auto& [name, tracker] : trackers_)
-      if (!tracker.add(message)) bus_.counter("late truth").add(topic + " came after tracks of later times");
+      if (!tracker.add(message)) bus_.counter("late truth").add(input.topic + " came after tracks of later times");
   }
 
-  void take(const std::string& topic, const tws_msgs::CorrelatedTracks& message) {
-    takeTracks(topic, message, tracksOf(message));
+  void take(const Input& input, const tws_msgs::CorrelatedTracks& message) {
+    takeTracks(input, message, tracksOf(message));
   }
 
-  void take(const std::string& topic, const tws_msgs::Tracks& message) { takeTracks(topic, message, message); }
+  void take(const Input& input, const tws_msgs::Tracks& message) { takeTracks(input, message, message); }
 
   /// `tracks`: those of the message.
   template <class M>
-  void takeTracks(const std::string& topic, const M& heard, const tws_msgs::Tracks& message) {
+  void takeTracks(const Input& input, const M& heard, const tws_msgs::Tracks& message) {
     for (const tws_msgs::Track& track : message.tracks) {
       const std::string fault = faultOf(track);
       if (!fault.empty())
         bus_.counter("bad tracks")
-            .add("track " + std::to_string(track.uid) + " in " + topic + " at " +
+            .add("track " + std::to_string(track.uid) + " in " + input.topic + " at " +
                  std::to_string(toSeconds(message.header.stamp)) + " s: " + fault);
     }
-    TrackerEvaluation& tracker = trackers_.at(topic.substr(1, topic.rfind('/') - 1));
+    TrackerEvaluation& tracker = trackers_.at(input.name);
     tracker.timing.addTracks(message.radar, toSeconds(bus_.now()), toSeconds(message.header.stamp),
                              message.tracks.size());
     if (!tracker.add(heard))
       bus_.counter("late tracks")
-          .add(topic + " came more than " + std::to_string(params_.skew_limit) + " s after the truth");
+          .add(input.topic + " came more than " + std::to_string(params_.skew_limit) + " s after the truth");
   }
 
-  void take(const std::string&, const tws_msgs::Detections& message) {
+  void take(const Input&, const tws_msgs::Detections& message) {
     for (auto& [name, tracker] : trackers_)
       tracker.timing.addPlots(message.radar, toSeconds(bus_.now()), toSeconds(message.header.stamp),
                               message.detections.size());
   }
 
-  void take(const std::string& topic, const tws_msgs::SsrPlots& message) {
+  void take(const Input& input, const tws_msgs::SsrPlots& message) {
     for (const tws_msgs::SsrPlot& plot : message.plots) {
       if (!std::isfinite(plot.range) || !std::isfinite(plot.azimuth)) {
-        bus_.counter("bad plots").add(topic + ": range or azimuth is no number");
+        bus_.counter("bad plots").add(input.topic + ": range or azimuth is no number");
         continue;
       }
       // A code has 12 bits, an address 24: no value of the one is a value of the other in use.

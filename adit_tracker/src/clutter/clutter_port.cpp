@@ -32,10 +32,9 @@ std::vector<ClutterPlace> readStart(const std::string& node, const std::string& 
 ClutterPort::ClutterPort(tws_runtime::Bus& bus, OperatorPort& operators, const AditParams& params,
                          const std::string& file, std::function<const Adit*()> adit)
     : operators_(operators), limits_(params), adit_(std::move(adit)), at_start_(readStart(bus.name(), file, limits_)) {
-  const std::string own = "/" + bus.name();
-  bus.serve<tws_msgs::SaveClutterMap>(own + "/save_clutter_map",
+  bus.serve<tws_msgs::SaveClutterMap>("~save_clutter_map",
                                       [this](auto& request, auto& response) { return save(request, response); });
-  bus.serve<tws_msgs::LoadClutterMap>(own + "/load_clutter_map",
+  bus.serve<tws_msgs::LoadClutterMap>("~load_clutter_map",
                                       [this](auto& request, auto& response) { return load(request, response); });
 }
 

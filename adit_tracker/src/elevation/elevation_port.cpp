@@ -6,7 +6,7 @@ namespace adit_tracker {
 
 ElevationPort::ElevationPort(tws_runtime::Bus& bus, const AditParams& params)
     : radar_(params.radars[ElevationDesk::radarOf(params)].name),
-      requests_(bus.advertise<tws_msgs::ElevationRequests>("/" + radar_ + "/elevation_requests")) {}
+      requests_(bus.advertise<tws_msgs::ElevationRequests>(radar_ + "/elevation_requests")) {}
 
 void ElevationPort::afterSector(Adit& adit, const SectorReport& report) {
   const auto list = desk_->afterSector(adit, report);

@@ -10,7 +10,7 @@ IffPort::IffPort(tws_runtime::Bus& bus, const std::string& frame, const std::vec
     : bus_(bus), frame_(frame), restart_limit_(restart_limit), interrogators_(params.size()) {
   for (std::size_t i = 0; i < params.size(); ++i) {
     interrogators_[i].name = params[i].name;
-    bus.subscribe<tws_msgs::SsrPlots>("/" + params[i].name + "/plots",
+    bus.subscribe<tws_msgs::SsrPlots>(params[i].name + "/plots",
                                       [this, i](const auto& m) { hear(interrogators_[i], m); });
   }
 }
@@ -32,7 +32,7 @@ void IffPort::hear(Interrogator& iff, const tws_msgs::SsrPlots& message) {
   for (const tws_msgs::SsrPlot& p : message.plots) {
     const std::string fault = tws_runtime::faultOf(p, sector.leave_time);
     if (!fault.empty()) {
-      bus_.counter("bad IFF plots").add(fault + " in /" + iff.name + "/plots");
+      bus_.counter("bad IFF plots").add(fault + " in " + iff.name + "/plots");
       continue;
     }
     tws::Plot& plot = sector.plots.emplace_back();

@@ -26,18 +26,14 @@ tf2::Transform transformOf(const geometry_msgs::Transform& t) {
 }  // namespace
 
 OperatorPort::OperatorPort(tws_runtime::Bus& bus, const std::string& frame, const std::string& point_topic, Host host)
-    : bus_(bus),
-      frame_(frame),
-      host_(std::move(host)),
-      told_(bus.advertise<Request>("/" + bus.name() + "/operator_requests")) {
-  const std::string own = "/" + bus.name();
-  bus.serve<tws_msgs::OperatorCommand>(own + "/operator_command",
+    : bus_(bus), frame_(frame), host_(std::move(host)), told_(bus.advertise<Request>("~operator_requests")) {
+  bus.serve<tws_msgs::OperatorCommand>("~operator_command",
                                        [this](auto& request, auto& response) { return command(request, response); });
-  bus.serve<tws_msgs::InitiateTrack>(own + "/initiate_track",
+  bus.serve<tws_msgs::InitiateTrack>("~initiate_track",
                                      [this](auto& request, auto& response) { return initiate(request, response); });
-  bus.serve<tws_msgs::DropTrack>(own + "/drop_track",
+  bus.serve<tws_msgs::DropTrack>("~drop_track",
                                  [this](auto& request, auto& response) { return drop(request, response); });
-  bus.subscribe<Request>(own + "/recorded_requests", [this](const Request& message) { hearRecorded(message); });
+  bus.subscribe<Request>("~recorded_requests", [this](const Request& message) { hearRecorded(message); });
   if (point_topic.empty()) return;
   bus.subscribe<geometry_msgs::PointStamped>(point_topic, [this](const auto& point) { hearPoint(point); });
 }

@@ -60,13 +60,14 @@ struct Diagnosis {
 /// One callback at a time: handlers, timers and services of one Bus never overlap. In one process, what is published is
 /// queued first in, first out and delivered after the current handler returns.
 ///
-/// Topics and services: "/sps12/detections" is that topic; a name without a leading slash is the node's own: "tracks"
-/// of the node "adit" is /adit/tracks. Two types on one topic throw std::runtime_error.
+/// Topics and services have ROS names: "sps12/detections" belongs to the node's namespace, so that a whole graph can be
+/// moved into one; "~tracks" is the node's own (of the node "adit", /adit/tracks); "/clock" is absolute. All of them
+/// can be remapped. Two types on one topic throw std::runtime_error.
 class Bus {
  public:
   virtual ~Bus() = default;
 
-  /// The node's name without a leading slash, e.g. "adit".
+  /// The node's name without a leading slash: "adit", or "siteA/adit" in the namespace /siteA.
   virtual const std::string& name() const = 0;
 
   /// This node's private parameters as one tree, without the sub-tree `live`, which is the runtime's own (run.h). Read

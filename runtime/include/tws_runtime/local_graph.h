@@ -31,8 +31,8 @@ class LocalGraph {
   LocalGraph& operator=(const LocalGraph&) = delete;
   ~LocalGraph();
 
-  /// The Bus of one more node, which lives as long as the graph. `remaps` go from absolute name to absolute name.
-  /// Throws std::invalid_argument when the name is taken.
+  /// The Bus of one more node, which lives as long as the graph. `name` may stand in a namespace: "siteA/adit".
+  /// `remaps` go from name to name, as the node would say them. Throws std::invalid_argument when the name is taken.
   Bus& addNode(const std::string& name, const YAML::Node& parameters = YAML::Node(),
                const std::map<std::string, std::string>& remaps = {});
 

@@ -17,7 +17,7 @@ struct RadarTopics {
   std::string detections;    ///< Topic of tws_msgs/Detections.
   std::string sector_marks;  ///< Topic of tws_msgs/SectorMark.
 };
-/// The usual ones: /<radar>/detections and /<radar>/sector_marks.
+/// The usual ones, in the node's namespace: <radar>/detections and <radar>/sector_marks.
 RadarTopics usualTopics(const std::string& radar);
 
 /// Hears rotating radars and gives their complete sectors: of each radar every sector once and in order, whatever the
