@@ -9,6 +9,7 @@ import ast
 import collections
 import functools
 import importlib.machinery
+import os
 import pathlib
 import re
 import shlex
@@ -116,10 +117,9 @@ def lists_for(path):
 
 
 def files_of(root):
-    names = subprocess.run(["git", "-C", root, "ls-files", "-z"], stdout=subprocess.PIPE, text=True).stdout.split("\0")
-    if names == [""]:  # an archive without .git
-        names = [str(path.relative_to(root)) for path in root.rglob("*") if "build" not in path.relative_to(root).parts]
-    return [pathlib.Path(name) for name in names if name and (root / name).is_file()]
+    for folder, folders, names in os.walk(root):
+        folders[:] = sorted(set(folders) - {".git", "build", "devel", "install", "logs", "out"})
+        yield from (pathlib.Path(folder, name).relative_to(root) for name in sorted(names))
 
 
 def uses_in(root):
@@ -142,7 +142,7 @@ class Repository:
     def __init__(self, root):
         self.root = root
         self.packages = {xml.parse(file).findtext("name") for file in root.glob("*/package.xml")}
-        paths = files_of(root)
+        paths = list(files_of(root))
         self.modules = {path.stem for path in paths if path.suffix == ".py"}
         self.headers = {"/".join(path.parts[-2:]) for path in paths if path.suffix == ".h"}
 

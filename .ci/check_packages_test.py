@@ -109,7 +109,8 @@ class Shell(unittest.TestCase):
         self.assertEqual(self.names("find . -print0 | xargs -0 -P 2 clang-tidy --quiet"), ["find", "xargs", "clang-tidy"])
 
     def test_functions_of_the_script_arrays_patterns_and_texts_are_no_programs(self):
-        text = 'say() { echo "$*"; }\nlist=(one\n two)\ncase $1 in\n  run | build) say x ;;\n  *) tee y ;;\nesac\ncat <<END\nfind $(id)\nEND\nrm z'
+        text = 'say() { echo "$*"; }\nlist=(one\n two)\ncase $1 in\n  run | build) say x ;;\n  *) tee y ;;\nesac\n'
+        text += "cat <<END\nfind $(id)\nEND\nrm z"
         self.assertEqual(self.names(text), ["tee", "cat", "rm", "id"])
 
 

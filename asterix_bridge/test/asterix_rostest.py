@@ -152,7 +152,8 @@ class AsterixTest(unittest.TestCase):
         self.assertTrue(newest <= self.clocks[-1].clock.to_sec() < newest + 60.0)
 
     def test_a_file_that_is_no_asterix_is_refused_in_one_line(self):
-        done = subprocess.run(["rosrun", "asterix_bridge", "asterix_file_node", "__name:=asterix_bad", f"_file:={os.path.abspath(__file__)}"],
+        done = subprocess.run(["rosrun", "asterix_bridge", "asterix_file_node", "__name:=asterix_bad",
+                               f"_file:={os.path.abspath(__file__)}"],
                               stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, timeout=30)
         self.assertEqual(done.returncode, 1)
         self.assertIn("asterix_rostest.py: this is no ASTERIX", done.stdout)

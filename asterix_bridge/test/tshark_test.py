@@ -132,7 +132,8 @@ def flag(name):
 
 
 SOURCE = {"sac": integer("010_SAC"), "sic": integer("010_SIC")}
-TARGET = {**SOURCE, "rho_nm": number("040_RHO"), "theta_deg": number("040_THETA"), "mode3a": octal("070_MODE3A"), "mode3a_vgl": bits("070_V", "070_G", "070_L"), "mode2": octal("050_MODE2"),
+TARGET = {**SOURCE, "rho_nm": number("040_RHO"), "theta_deg": number("040_THETA"), "mode3a": octal("070_MODE3A"),
+          "mode3a_vgl": bits("070_V", "070_G", "070_L"), "mode2": octal("050_MODE2"),
           "fl_vg": bits("090_V", "090_G"), "sim": flag("020_SIM"), "test": flag("020_TST"), "spi": flag("020_SPI"), "rab": flag("020_RAB")}
 MARK = {**SOURCE, "type": integer("000_VALUE"), "time_of_day": number("030_VALUE"), "sector_deg": number("020_VALUE"),
         "period_s": number("041_VALUE")}

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""What an operator does in a live run is in its bag, and a replay and an offline run of the bag repeat it, byte by byte but for header.seq."""
+"""What an operator does in a live run is in its bag, and a replay and an offline run of the bag repeat it, byte by byte but for
+header.seq."""
 import math
 import pathlib
 import subprocess
@@ -97,7 +98,8 @@ class OperatorTest(unittest.TestCase):
         self.assertTrue(self.done["dropped"].success, self.done["dropped"].message)
         self.assertEqual(last[targets[2].uid].state, targets[2].DROPPED)
         self.assertTrue(self.done["started"].success, self.done["started"].message)
-        self.assertTrue(any(w.number == self.done["started"].number and math.hypot(w.position.x + 7e4, w.position.y - 3e4) < 100 for w in words))
+        self.assertTrue(any(w.number == self.done["started"].number and math.hypot(w.position.x + 7e4, w.position.y - 3e4) < 100
+                            for w in words))
         self.assertTrue(self.done["inside"])
         self.assertTrue(all(track.range <= 80e3 for track in self.done["inside"]))
 
@@ -117,7 +119,8 @@ class OperatorTest(unittest.TestCase):
         self.assertLessEqual(max(len(lives), len(others)) - length, 10)
         different = [i for i in range(length) if lives[i] != others[i]]
         self.assertFalse(different, f"{len(different)} of {length} messages differ, the first is number {different[:1]}")
-        asked = [[(m.request, m.running_sector, m.result, m.tracks) for m in self.messages(b, "/adit/operator_requests") if m.result != m.BUSY]
+        asked = [[(m.request, m.running_sector, m.result, m.tracks)
+                  for m in self.messages(b, "/adit/operator_requests") if m.result != m.BUSY]
                  for b in (self.live, bag)]
         self.assertEqual(asked[0], asked[1])
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Clutter that comes and goes: how soon the map learns and forgets it, that nobody loses a track, and that a map that was saved is there in the
-next run, in replays too. The figures in adit_tracker/README.md rest on the same scenario."""
+"""Clutter that comes and goes: how soon the map learns and forgets it, that nobody loses a track, and that a map that was saved is there in
+the next run, in replays too. The figures in adit_tracker/README.md rest on the same scenario."""
 import collections
 import math
 import pathlib
@@ -52,7 +52,8 @@ class Run:
 
     def absorbed(self, place, radar):
         """Times of the maps in which that radar's map takes out what is seen there."""
-        return [time for time, points in self.maps if any(p.radar == radar and p.absorbing and apart(place, (p.range, p.azimuth)) < 1000 for p in points)]
+        return [time for time, points in self.maps
+                if any(p.radar == radar and p.absorbing and apart(place, (p.range, p.azimuth)) < 1000 for p in points)]
 
     def begun_at(self, places, until):
         """Tracks that began there."""
@@ -80,8 +81,9 @@ class ClutterTest(unittest.TestCase):
         cls.given.write_text("radar,range_m,az_deg\n# where the aircraft north flies when this is loaded\n" +
                              "".join(f"*,{slant_range},{azimuth}\n" for slant_range, azimuth in map(north, range(60, 95))))
         cls.scenario = pathlib.Path(__file__).parent.parent / "scenarios" / f"{SCENARIO}.yaml"
-        run = subprocess.Popen(["roslaunch", "--no-summary", "tws_launch", "run.launch", f"record:={cls.live}", "rviz:=false", f"scenario:={SCENARIO}",
-                                f"radars:={' '.join(RADARS)}", "rate:=5", "duration:=85"], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        run = subprocess.Popen(["roslaunch", "--no-summary", "tws_launch", "run.launch", f"record:={cls.live}", "rviz:=false",
+                                f"scenario:={SCENARIO}", f"radars:={' '.join(RADARS)}", "rate:=5", "duration:=85"],
+                               stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         try:
             operator = Operator()
             operator.wait(65)
@@ -138,7 +140,8 @@ class ClutterTest(unittest.TestCase):
             name, distance = min(((name, apart(here, place)) for name, place in self.bare.moving(time).items()), key=lambda pair: pair[1])
             if distance < 3000:
                 holders[name].append((time, word.uid))
-            self.assertFalse(distance > 3000 and any(apart(here, place) < 1500 for place in still), f"track {word.uid} at {time:.0f} s stands on clutter")
+            self.assertFalse(distance > 3000 and any(apart(here, place) < 1500 for place in still),
+                             f"track {word.uid} at {time:.0f} s stands on clutter")
         self.assertEqual(len(holders), 6)
         for name, words in holders.items():
             uids = [uid for time, uid in words if time > 30]
@@ -165,12 +168,14 @@ class ClutterTest(unittest.TestCase):
     def test_a_replay_repeats_a_load_without_the_file(self):
         self.assertTrue(self.load_answer.success, self.load_answer.message)
         self.assertEqual(self.load_answer.count, 35)
-        loads = [m for m in messages(self.live, "/adit/operator_requests") if m.request == OperatorRequest.LOAD_CLUTTER and m.result == m.OK]
+        loads = [m for m in messages(self.live, "/adit/operator_requests")
+                 if m.request == OperatorRequest.LOAD_CLUTTER and m.result == m.OK]
         self.assertEqual([len(m.clutter) for m in loads], [35])
         lives, bare = tracks(self.live), tracks(self.folder / "bare" / "run.bag")
         self.assertTrue(lives != bare[:len(lives)], "what was loaded changed nothing")
         replay = self.folder / "replay.bag"
-        command("roslaunch", "--no-summary", "tws_launch", "replay.launch", f"bag:={self.live}", f"record:={replay}", "rviz:=false", "rate:=5",
+        command("roslaunch", "--no-summary", "tws_launch", "replay.launch", f"bag:={self.live}", f"record:={replay}", "rviz:=false",
+                "rate:=5",
                 f"radars:={' '.join(RADARS)}")
         for bag in (replay, offline(self.live, self.folder / "offline")):
             for recorded in (self.live, bag):

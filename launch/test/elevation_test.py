@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Elevation searches through the whole graph: an operator designates tracks, the SPS-39 searches for them, and they get heights that agree with
-the truth. A live run, its replay and offline runs give the same, byte by byte but for header.seq."""
+"""Elevation searches through the whole graph: an operator designates tracks, the SPS-39 searches for them, and they get heights that agree
+with the truth. A live run, its replay and offline runs give the same, byte by byte but for header.seq."""
 import math
 import pathlib
 import subprocess
@@ -25,7 +25,8 @@ TOPICS = ["/adit/tracks", "/sps39/elevation_requests", "/sps39/detections"]
 
 
 def run_launch(bag, *arguments):
-    return ["roslaunch", "--no-summary", "tws_launch", "run.launch", f"record:={bag}", "rviz:=false", f"radars:={' '.join(RADARS)}", *arguments]
+    return ["roslaunch", "--no-summary", "tws_launch", "run.launch", f"record:={bag}", "rviz:=false", f"radars:={' '.join(RADARS)}",
+            *arguments]
 
 
 def messages(bag, topic):
@@ -133,7 +134,8 @@ class ElevationTest(unittest.TestCase):
     def test_an_offline_run_and_a_replay_of_the_bag_give_the_same(self):
         self.check_same(self.live, offline(self.live, self.folder / "offline"), TOPICS[:2])
         bag = self.folder / "replay.bag"
-        command("roslaunch", "--no-summary", "tws_launch", "replay.launch", f"bag:={self.live}", f"record:={bag}", "rviz:=false", "rate:=12",
+        command("roslaunch", "--no-summary", "tws_launch", "replay.launch", f"bag:={self.live}", f"record:={bag}", "rviz:=false",
+                "rate:=12",
                 f"radars:={' '.join(RADARS)}")
         self.check_same(self.live, bag, TOPICS[:2])
 

@@ -24,7 +24,7 @@ def package(name):
 
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(package("track_evaluation") / "scripts"))
-import formations
+import formations  # noqa: E402, in another package
 
 
 def fly(bifurcation, seeds=SEEDS):
@@ -63,7 +63,8 @@ def measure(first, last):
     for name in on[0]:
         for what, values in (("with", [run[name] for run in on]), ("without", [run[name] for run in off]),
                              ("difference", [one[name] - other[name] for one, other in zip(on, off)])):
-            print(f"{name}, {what}: {statistics.mean(values):.4g} ± {statistics.stdev(values):.2g}, {min(values):.4g} to {max(values):.4g}", flush=True)
+            print(f"{name}, {what}: {statistics.mean(values):.4g} ± {statistics.stdev(values):.2g}, {min(values):.4g} to {max(values):.4g}",
+                  flush=True)
 
 
 if __name__ == "__main__":

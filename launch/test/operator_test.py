@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""What an operator asks of the window tracker in a live run is repeated by every replay of its recording, byte by byte but for header.seq."""
+"""What an operator asks of the window tracker in a live run is repeated by every replay of its recording, byte by byte but for
+header.seq."""
 import pathlib
 import tempfile
 import threading
@@ -72,7 +73,8 @@ class OperatorTest(unittest.TestCase):
             length = min(len(lives), len(others))
             self.assertGreater(length, 250, f"{run}: nothing to compare on {topic}")
             different = [i for i in range(length) if lives[i] != others[i]]
-            self.assertFalse(different, f"{run}, {topic}: {len(different)} of {length} messages differ, the first is number {different[:1]}")
+            self.assertFalse(different,
+                             f"{run}, {topic}: {len(different)} of {length} messages differ, the first is number {different[:1]}")
         self.assertEqual(len(tracks(bag, "/tws/operator_requests")), 3, run)
 
     def test_the_requests_take_effect(self):

@@ -118,7 +118,8 @@ class RealRadar(unittest.TestCase):
     # Whoever replays an incident offline relies on that.
     def test_live_tracks_are_those_of_the_offline_run(self):
         bag = self.folder / "live.bag"
-        quiet("roslaunch", "--no-summary", "-p", free_port(), "tws_launch", "asterix.launch", f"file:={FOLDER / 'canalA.gps'}", f"radars:={RADAR}",
+        quiet("roslaunch", "--no-summary", "-p", free_port(), "tws_launch", "asterix.launch", f"file:={FOLDER / 'canalA.gps'}",
+              f"radars:={RADAR}",
               "rate:=10", f"duration:={LIVE_DURATION}", "rviz:=false", f"record:={bag}")
         live, offline = tracks(bag), tracks(self.folder / "run.bag")
         self.assertGreater(len(live), LIVE_DURATION / 4.1 * 64)

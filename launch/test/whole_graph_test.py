@@ -17,8 +17,8 @@ import yaml
 SCENARIO = "full"
 DURATION = 30  # of data time [s]: long enough for firm tracks, coasts and drops
 RADARS = ["sps12", "sps39"]
-SENSOR_TOPICS = [f"/{radar}/{kind}" for radar in RADARS for kind in ("detections", "sector_marks")] + ["/ssr/plots", "/ssr/sector_marks", "/esa/dwell_reports",
-    "/mrs/range_profile"]
+SENSOR_TOPICS = [f"/{radar}/{kind}" for radar in RADARS for kind in ("detections", "sector_marks")]
+SENSOR_TOPICS += ["/ssr/plots", "/ssr/sector_marks", "/esa/dwell_reports", "/mrs/range_profile"]
 TRACK_TOPICS = ["/adit/tracks", "/ssr/tracks", "/correlated/tracks", "/tws/tracks", "/esa/frames", "/esa/tracks", "/esa/track_database",
                 "/mrs/range_gate", "/mrs/tracks"]
 WINDOWS = "sps12"  # The radar of the window tracker.
@@ -156,19 +156,22 @@ class WholeGraphTest(unittest.TestCase):
         with rosbag.Bag(str(self.live)) as bag:
             reports = [message for _, message, _ in bag.read_messages(["/esa/dwell_reports"])]
             answers = [message.header.stamp for _, message, _ in bag.read_messages(["/esa/track_database"])]
-            firm = {track.uid for _, message, _ in bag.read_messages(["/esa/tracks"]) for track in message.tracks if track.state == track.FIRM}
+            firm = {track.uid for _, message, _ in bag.read_messages(["/esa/tracks"])
+                    for track in message.tracks if track.state == track.FIRM}
         self.assertEqual(len(reports), 10 * DURATION)
         self.assertEqual(answers, [message.header.stamp for message in reports][:len(answers)])
         self.assertGreaterEqual(len(answers), len(reports) - 1)
         self.assertGreaterEqual(len(firm), 8, "the formation alone has eight")
-        expected = {number for message in reports for dwell in message.dwells if dwell.is_track_dwell for number in dwell.dwell_group_indices}
+        expected = {number for message in reports for dwell in message.dwells if dwell.is_track_dwell
+                    for number in dwell.dwell_group_indices}
         self.assertTrue(firm & expected)
 
     def test_an_offline_run_of_the_scenario_gives_the_same_tracks(self):
         bag = offline(f"{command('rospack', 'find', 'tws_launch').strip()}/scenarios/{SCENARIO}.yaml", self.folder / "offline",
                       "--duration", DURATION)
         self.check_same_tracks(bag, "offline from the scenario")
-        self.check_same_bytes(tracks(self.live, "/esa/dwell_reports"), tracks(bag, "/esa/dwell_reports"), "offline from the scenario", "/esa/dwell_reports")
+        self.check_same_bytes(tracks(self.live, "/esa/dwell_reports"), tracks(bag, "/esa/dwell_reports"), "offline from the scenario",
+                              "/esa/dwell_reports")
         self.assertEqual(publications(bag), publications(self.live))
 
     def test_an_offline_run_of_the_bag_gives_the_same_tracks(self):
@@ -204,8 +207,10 @@ class WholeGraphTest(unittest.TestCase):
     def test_topics_that_interleave_differently_give_the_same_tracks(self):
         for seed in range(5):
             bag = shuffled(self.live, self.folder / f"shuffled{seed}.bag", seed)
-            self.check_same_tracks(offline(bag, self.folder / f"shuffled{seed}", "--windows", WINDOWS), f"shuffled with seed {seed}, offline")
-        self.check_same_tracks(launch("replay.launch", self.folder / "shuffled.bag", bag=bag, rate=5, windows=WINDOWS), "shuffled, replayed")
+            self.check_same_tracks(offline(bag, self.folder / f"shuffled{seed}", "--windows", WINDOWS),
+                                   f"shuffled with seed {seed}, offline")
+        self.check_same_tracks(launch("replay.launch", self.folder / "shuffled.bag", bag=bag, rate=5, windows=WINDOWS),
+                               "shuffled, replayed")
 
     def test_the_offline_graph_is_what_roslaunch_starts(self):
         """Nodes and private parameters, compared with roslaunch's own dump of the launch file."""

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""filter_csv as a user calls it: filter_csv_test.py PATH_OF_FILTER_CSV. If this fails, its files are no estimates, or a mistake in one goes unnoticed."""
+"""filter_csv as a user calls it: filter_csv_test.py PATH_OF_FILTER_CSV. If this fails, its files are no estimates, or a mistake in one goes
+unnoticed."""
 import pathlib
 import subprocess
 import sys

@@ -10,7 +10,8 @@ import math
 
 import rosbag
 
-CELLS = {"sps12": (300.0, math.radians(3.0)), "sps39": (300.0, math.radians(1.5))}  # in range [m] and azimuth, of the types SPS-12 and SPS-39
+# in range [m] and azimuth, of the types SPS-12 and SPS-39
+CELLS = {"sps12": (300.0, math.radians(3.0)), "sps39": (300.0, math.radians(1.5))}
 FIRM, COASTING = 2, 3
 NEAR = 1500.0       # a track that is further off follows another aircraft [m]
 STALE = 9.0         # a track that has not been heard of for so long is gone [s]
@@ -66,7 +67,8 @@ def read(bag_file):
                 truth.append(message)
             elif topic == "/adit/tracks":
                 for t in message.tracks:
-                    rows[t.uid].append((t.stamp.to_sec(), t.state in (FIRM, COASTING), t.position.x, t.position.y, t.velocity.x, t.velocity.y))
+                    rows[t.uid].append((t.stamp.to_sec(), t.state in (FIRM, COASTING), t.position.x, t.position.y, t.velocity.x,
+                                        t.velocity.y))
             else:
                 marks[topic.split("/")[1]].append((message.header.stamp.to_sec(), message.sector))
     for history in rows.values():
@@ -91,7 +93,8 @@ def passes(truth, marks, name):
     found = []
     for radar, entered in marks.items():
         for time, sector in entered:
-            if truth.times[0] < time < truth.times[-1] - 1 and int(truth.polar(name, time)[1] % (2 * math.pi) / (2 * math.pi) * 64) == sector:
+            known = truth.times[0] < time < truth.times[-1] - 1
+            if known and int(truth.polar(name, time)[1] % (2 * math.pi) / (2 * math.pi) * 64) == sector:
                 found.append((time, radar))
     return sorted(found)
 

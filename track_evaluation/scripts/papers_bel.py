@@ -68,11 +68,13 @@ def miscorrelations(bag_file, start, count):
 def table_1(runs, count, Sample):
     scene = many_flights(runs.scenario("bel_three_targets"), count)
     lines = []
-    for bias, remark in (({"position_bias_m": 0.0, "velocity_bias_mps": 0.0}, "the paper's: no bias"), ({}, "ours: biases of 100 m and 10 m/s allowed")):
+    for bias, remark in (({"position_bias_m": 0.0, "velocity_bias_mps": 0.0}, "the paper's: no bias"),
+                         ({}, "ours: biases of 100 m and 10 m/s allowed")):
         for scheme, name in SCHEMES:
             samples = [Sample(target) for target in miscorrelations(fly(runs, scene, scheme, **bias), 1000.0, count)]
             lines.append((f"table 1: wrong scans of targets 1, 2, 3: {name}", "4, 4, 4" if scheme == "distance" else "0, 0, 0",
-                          f"{', '.join(s.in_words() for s in samples)} of {SCANS}; {count} flights; {remark}", table_1_words(scheme, samples)))
+                          f"{', '.join(s.in_words() for s in samples)} of {SCANS}; {count} flights; {remark}",
+                          table_1_words(scheme, samples)))
     return lines
 
 
@@ -105,7 +107,8 @@ SOLVERS = [("AssignmentSquare", "ours"), ("AssignmentClassicMunkres", "classic M
 def figure_10(runs):
     found = benchmarks(runs, "tws_core", "Assignment(Square|ClassicMunkres|BruteForce)/(3|5|10)$")
     if not found:
-        return [("figure 10: Munkres takes less time than trying all", "curves without figures", "not measured: Google Benchmark is not installed", "")]
+        return [("figure 10: Munkres takes less time than trying all", "curves without figures",
+                 "not measured: Google Benchmark is not installed", "")]
     times = {name: [found[f"{key}/{n}"] / 1000.0 for n in (3, 5, 10)] for key, name in SOLVERS}
     draw(runs, "bel_figure_10.png", (3, 5, 10), times, "tracks", "time of one assignment [µs]")
     lines = []
@@ -219,5 +222,6 @@ def real_radar(runs):
                       f"{statistics.mean(held):.3f} codes in a row for each of {len(held)} {plural}; {one} hold one",
                       "no truth: aircraft do change their codes"))
     share = kinds[CORRELATED] / sum(kinds.values())
-    lines.append(("a real radar: position and codes come back as one track", "no number", f"{100 * share:.1f} % of {sum(kinds.values())} words", ""))
+    lines.append(("a real radar: position and codes come back as one track", "no number",
+                  f"{100 * share:.1f} % of {sum(kinds.values())} words", ""))
     return lines

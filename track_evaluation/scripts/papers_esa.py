@@ -1,5 +1,5 @@
-"""Slocumb and Klusman: frames of data for an electronically scanned array. The closely-spaced-objects scenario in closed loop with each of the
-frame builder's algorithms, the same tracker behind all of them. Section 4 compares in words and gives no numbers."""
+"""Slocumb and Klusman: frames of data for an electronically scanned array. The closely-spaced-objects scenario in closed loop with each of
+the frame builder's algorithms, the same tracker behind all of them. Section 4 compares in words and gives no numbers."""
 import yaml
 
 TITLE = "Frame building algorithm for electronically scanned array radar (Slocumb and Klusman)"
@@ -65,7 +65,8 @@ def draw(scores, Sample, file):
     for axis, (metric, title, scale) in zip(axes, panels):
         samples = [Sample([scale * score[metric] for score in scores[case] if score[metric] is not None]) for case in CASES]
         places = range(len(CASES))
-        axis.bar(places, [s.mean if s.values else 0 for s in samples], yerr=[0 if len(s.values) < 2 else s.half_width for s in samples], capsize=4,
+        axis.bar(places, [s.mean if s.values else 0 for s in samples], yerr=[0 if len(s.values) < 2 else s.half_width for s in samples],
+                 capsize=4,
                  color=["#b0b0b0", "#909090", "#4878a8", "#2f5f8f", "#7aa35a"])
         for place, sample in zip(places, samples):
             if not sample.values:
@@ -73,7 +74,8 @@ def draw(scores, Sample, file):
         axis.set_title(title, fontsize=10)
         axis.set_xticks(list(places), ["1", "1, long\nwindow", "2", "3", "4"], fontsize=8)
         axis.set_xlabel("algorithm")
-    figure.suptitle("Ten objects within two beamwidths and six by themselves, closed loop; mean and its 95 % interval over seeds", fontsize=10)
+    figure.suptitle("Ten objects within two beamwidths and six by themselves, closed loop; mean and its 95 % interval over seeds",
+                    fontsize=10)
     figure.tight_layout()
     figure.savefig(file, dpi=110)
     plt.close(figure)

@@ -9,7 +9,8 @@ import rosbag
 import yaml
 
 TITLE = "DDRE A-5/2005: range tracking for the MRS radar"
-FIGURES = [("1", "mrs_aircraft_no_background", "150 m/s, no background subtracted"), ("2", "mrs_aircraft", "150 m/s, local background subtracted"),
+FIGURES = [("1", "mrs_aircraft_no_background", "150 m/s, no background subtracted"),
+           ("2", "mrs_aircraft", "150 m/s, local background subtracted"),
            ("3", "mrs_ship", "2.5 m/s")]
 RCS, SPEED, WINDOW_BINS, NEAR, FAR = 3.0, 150.0, 24, 30000.0, 33000.0  # of the flight straight away
 SETTLED = 4.0                                                          # from the start, eight times tau [s]
@@ -110,11 +111,13 @@ def figures(runs, Sample):
         tracker = {"mrs_ship": "ship", "mrs_aircraft": "aircraft"}.get(name, "aircraft_no_background")
         bag = runs.offline(scene, "--range-params", tracker)
         if runs.figures:
-            runs.tool("range_gate_tracker", "range_gate_view", "figure", bag, "--out", (runs.figures / f"mrs_figure_{number}.png").absolute())
+            runs.tool("range_gate_tracker", "range_gate_view", "figure", bag, "--out",
+                      (runs.figures / f"mrs_figure_{number}.png").absolute())
         found = look(bag, target, settled=10.0)
         share = found["inside"]
         lines.append((f"figure {number}: the method solves the tracking problem ({words})", "a figure",
-                      f"target in the gate {100 * share:.1f} % of the time, measured with {found['bias']:+.1f} ± {found['spread']:.1f} m (bias, spread)",
+                      f"target in the gate {100 * share:.1f} % of the time, "
+                      f"measured with {found['bias']:+.1f} ± {found['spread']:.1f} m (bias, spread)",
                       "confirmed" if share > 0.99 else f"NOT always: {100 * (1 - share):.1f} % outside"))
     return lines
 
@@ -146,7 +149,8 @@ def noise(runs, seeds, Sample, verdict):
             lines.append((f"{ratio} dB in the window, {words}", "no number",
                           f"in the gate {inside.in_words('%', 100, 1)}, measured {on_target.in_words('%', 100, 1)}, "
                           f"bias {bias.in_words('m', digits=1)}, spread {spreads[method].in_words('m', digits=1)}",
-                          "" if method == "none" else "smaller spread with background subtraction: " + verdict(spreads["none"] - spreads["local"])))
+                          "" if method == "none" else
+                          "smaller spread with background subtraction: " + verdict(spreads["none"] - spreads["local"])))
     return lines
 
 
@@ -157,7 +161,8 @@ def interferer(runs, seeds, Sample, verdict):
     scene["targets"].append(other)
     lines, shares = [], {}
     for limit, words, changes in ((0, "as in the report, the whole gate", {}), (50, "with a jump limit of 50 m", {}),
-                                  (30, "with Kalman predictor and jump limit of 30 m", {"predictor": "kalman", "acceleration_density": 1.0})):
+                                  (30, "with Kalman predictor and jump limit of 30 m",
+                                   {"predictor": "kalman", "acceleration_density": 1.0})):
         tracker = parameters(runs, "aircraft", jump_limit_m=limit, **changes)
         shares[limit] = measured(runs, scene, tracker, seeds, Sample, "inside")
         on_target = measured(runs, scene, tracker, seeds, Sample, "on_target")

@@ -88,7 +88,8 @@ def five_gates(measured, verdict, scene, tracker):
     largest = {key: [values[-1]] * len(values) for key, values in gates.items()}
     single = changed(tracker, track_gates=largest)
     lines = []
-    for metric, what, unit, scale in (("swaps_per_truth_hour", "changes of track for each aircraft and hour", "", 1), ("ospa_m", "OSPA", "m", 1)):
+    for metric, what, unit, scale in (("swaps_per_truth_hour", "changes of track for each aircraft and hour", "", 1),
+                                      ("ospa_m", "OSPA", "m", 1)):
         five, one = measured(metric, scene, tracker), measured(metric, scene, single)
         lines.append(("five growing gates correlate better than one", "no number",
                       f"{what} {five.in_words(unit, scale, 1)} against {one.in_words(unit, scale, 1)}, dense scene", verdict(one - five)))
@@ -103,7 +104,8 @@ def adaptive_filter(measured, verdict, scene, tracker):
         fixed = changed(tracker, alpha_beta=changed(limits, omega_min=omega, omega_max=omega))
         error = measured("rms_pos_m", scene, fixed)
         lines.append((f"adaptive bandwidth beats a fixed {word} one ({omega} rad/s)", "no number",
-                      f"position error {adaptive.in_words('m', digits=0)} against {error.in_words('m', digits=0)}", verdict(error - adaptive)))
+                      f"position error {adaptive.in_words('m', digits=0)} against {error.in_words('m', digits=0)}",
+                      verdict(error - adaptive)))
     return lines
 
 
@@ -113,7 +115,8 @@ def clutter(measured, scene, tracker, ours):
         captured, spurious = measured("captured", scene, parameters), measured("spuriousness", scene, parameters)
         most = captured.surely_above(0.5, "most are", "FEWER than half")
         lines.append(("clutter points are captured, not tracked", "no number",
-                      f"{captured.in_words('%', 100, 1)} captured; {spurious.in_words('%', 100, 1)} of track reports follow nobody ({name})", most))
+                      f"{captured.in_words('%', 100, 1)} captured; "
+                      f"{spurious.in_words('%', 100, 1)} of track reports follow nobody ({name})", most))
     return lines
 
 
@@ -151,7 +154,8 @@ def tracks_begun(bag_file, seconds):
     began, rocks = still_things(bag_file, "rock")
     with rosbag.Bag(str(bag_file)) as bag:
         words = [w for _, m, _ in bag.read_messages(["/adit/tracks"]) for w in m.tracks]
-    return len({w.uid for w in words if w.first_detection.to_sec() < began + seconds and any(distance(r, (w.range, w.azimuth)) < 1000.0 for r in rocks)})
+    early = [w for w in words if w.first_detection.to_sec() < began + seconds]
+    return len({w.uid for w in early if any(distance(r, (w.range, w.azimuth)) < 1000.0 for r in rocks)})
 
 
 def saved_map(runs, bag_file, seconds):
@@ -177,8 +181,8 @@ def draw_clutter(bag_file, file):
         for kind, color in (("rock", "saddlebrown"), ("boat", "tab:blue")):
             _, places = still_things(bag_file, kind)
             for absorbing, style in ((True, "-"), (False, ":")):
-                counts = [sum(any(p.radar == radar and p.absorbing == absorbing and distance(place, (p.range, p.azimuth)) < 1000.0 for p in m.points)
-                              for place in places) for m in maps]
+                counts = [sum(any(p.radar == radar and p.absorbing == absorbing and distance(place, (p.range, p.azimuth)) < 1000.0
+                                  for p in m.points) for place in places) for m in maps]
                 panel.step([m.header.stamp.to_sec() - began for m in maps], counts, style, color=color, where="post",
                            label=f"{kind}s, {'absorbing' if absorbing else 'on probation'}")
         for edge in (APPEARANCE["boat"], 240):
@@ -210,10 +214,12 @@ def clutter_that_comes(runs, seeds, Sample, verdict, tracker, ours):
             enough = next((f"most are after {after} s" for share, after in zip(shares, AFTER) if share.mean - share.half_width > 0.5),
                           shares[-1].surely_above(0.5, "", f"FEWER than half after {AFTER[-1]} s"))
             lines.append((f"clutter is captured immediately: {what}", "no number",
-                          ", ".join(f"{share.in_words('%', 100, 0)} after {after} s" for share, after in zip(shares, AFTER)) + f" ({name})", enough))
+                          ", ".join(f"{share.in_words('%', 100, 0)} after {after} s" for share, after in zip(shares, AFTER)) + f" ({name})",
+                          enough))
         with_map, without = Sample(knowing), Sample(bare)
         lines.append(("captured clutter is not processed as tracks", "no number",
-                      f"{with_map.in_words(digits=1)} tracks begin on 12 rocks in 40 s with the map of the run before, {without.in_words(digits=1)} without ({name})",
+                      f"{with_map.in_words(digits=1)} tracks begin on 12 rocks in 40 s with the map of the run before, "
+                      f"{without.in_words(digits=1)} without ({name})",
                       verdict(without - with_map)))
     return lines
 
@@ -225,8 +231,8 @@ def height_of(target):
 
 
 def searched_heights(bag_file):
-    """Of tracks under elevation search: the error of their heights, how often it is within three of its stated sigmas, and the time from designation
-    to the first height."""
+    """Of tracks under elevation search: the error of their heights, how often it is within three of its stated sigmas, and the time from
+    designation to the first height."""
     designated, first, errors, within, truth = {}, {}, [], [], {}
     with rosbag.Bag(str(bag_file)) as bag:
         for topic, message, _ in bag.read_messages(["/truth", "/adit/tracks"]):
@@ -254,7 +260,8 @@ def elevation(runs, seeds, Sample, tracker, ours):
     for name, parameters in (("nrl7952", tracker), ("default", ours)):
         automatic = changed(parameters, elevation=changed(parameters["elevation"], automatic=True))
         flights = [runs.fly(runs.scenario("elevation_search"), automatic, seed, ALL, searched_heights) for seed in seeds]
-        error, within, delay = (Sample([flight[metric] for flight in flights]) for metric in ("height_error_m", "height_within", "first_height_s"))
+        error, within, delay = (Sample([flight[metric] for flight in flights])
+                                for metric in ("height_error_m", "height_within", "first_height_s"))
         lines += [("elevation scans give the heights of designated targets", "no number",
                    f"error {error.in_words('m', digits=0)}, {within.in_words('%', 100, 1)} within 3 stated sigmas ({name})",
                    "they do" if within.mean > 0.95 else "NOT as well as stated"),
@@ -295,7 +302,8 @@ def more_radars(runs, seeds, Sample, verdict, ours):
     two = changed(three, radars=three["radars"][:2])
     held = [measured("completeness", scene) for scene in (three, two)]
     error = [measured("rms_pos_m", scene) for scene in (three, two)]
-    lines = [("the SPS-10 as a third radar", "no number", f"{held[0].in_words('%', 100, 1)} of fighters near the site tracked, with two radars "
+    lines = [("the SPS-10 as a third radar", "no number",
+              f"{held[0].in_words('%', 100, 1)} of fighters near the site tracked, with two radars "
               f"{held[1].in_words('%', 100, 1)} (default)", verdict(held[0] - held[1])),
              ("the SPS-10 as a third radar", "no number", f"position error {error[0].in_words('m', digits=0)}, with two radars "
               f"{error[1].in_words('m', digits=0)} (default)", verdict(error[1] - error[0]))]
@@ -304,6 +312,6 @@ def more_radars(runs, seeds, Sample, verdict, ours):
     for radar in scene["radars"]:
         alone = measured("completeness", changed(scene, radars=[radar]))
         lines.append((f"radars 40 km apart against {radar['type']} alone", "one site only",
-                      f"{both.in_words('%', 100, 1)} of aircraft tracked against {alone.in_words('%', 100, 1)}; {double.in_words(digits=3)} tracks "
-                      "for each that has one (default)", verdict(both - alone)))
+                      f"{both.in_words('%', 100, 1)} of aircraft tracked against {alone.in_words('%', 100, 1)}; "
+                      f"{double.in_words(digits=3)} tracks for each that has one (default)", verdict(both - alone)))
     return lines

@@ -11,9 +11,11 @@ SETTINGS = {"cutoff_m": 3000.0, "from_s": 60.0}
 DURATION = 300
 # Name, arguments of filter_csv. Gains by Kalata's index for the manoeuvre that the Kalman filters assume, too.
 MANOEUVRE = ["--sigma", SIGMA, "--manoeuvre", 5, "--speed", 200]
-FILTERS = [("alpha (0.6)", ["--kind", "alpha", "--alpha", 0.6]), ("alpha-beta (0.6, 0.25)", ["--kind", "alpha_beta", "--alpha", 0.6, "--beta", 0.25]),
+FILTERS = [("alpha (0.6)", ["--kind", "alpha", "--alpha", 0.6]),
+           ("alpha-beta (0.6, 0.25)", ["--kind", "alpha_beta", "--alpha", 0.6, "--beta", 0.25]),
            ("alpha-beta, tracking index", ["--kind", "alpha_beta_index"]), ("adaptive alpha-beta", ["--kind", "adaptive_alpha_beta"]),
-           ("alpha-beta-gamma, tracking index", ["--kind", "alpha_beta_gamma_index"]), ("Kalman, constant velocity", ["--kind", "kalman_cv"]),
+           ("alpha-beta-gamma, tracking index", ["--kind", "alpha_beta_gamma_index"]),
+           ("Kalman, constant velocity", ["--kind", "kalman_cv"]),
            ("Kalman, constant acceleration", ["--kind", "kalman_ca"])]
 MEMORIES = [("fixed, 8 scans", ["--kind", "fixed_memory", "--length", 8]), ("expanding", ["--kind", "expanding_memory"]),
             ("fading, 0.6", ["--kind", "fading_memory", "--theta", 0.6])]
@@ -64,7 +66,8 @@ def lag(runs):
         ramp = [speed * T * k for k in range(300)]
         found = ramp[-1] - filtered(runs, ["--kind", "alpha", "--alpha", alpha], [ramp])[0][-1][0]
         expected = speed * T * (1 - alpha) / alpha
-        lines.append((f"(3.7): lag of the alpha filter, alpha = {alpha}, 200 m/s", f"{expected:.1f} m", f"{found:.1f} m", agreement(expected, found, 0.01)))
+        lines.append((f"(3.7): lag of the alpha filter, alpha = {alpha}, 200 m/s", f"{expected:.1f} m", f"{found:.1f} m",
+                      agreement(expected, found, 0.01)))
     return lines
 
 
@@ -99,7 +102,8 @@ def stability(runs):
 def noise_reduction(runs, seeds, Sample):
     lines = []
     for name, options, expected in (
-            ("alpha (0.3)", ["--kind", "alpha", "--alpha", 0.3], 0.3 / 1.7), ("alpha (0.8)", ["--kind", "alpha", "--alpha", 0.8], 0.8 / 1.2),
+            ("alpha (0.3)", ["--kind", "alpha", "--alpha", 0.3], 0.3 / 1.7),
+            ("alpha (0.8)", ["--kind", "alpha", "--alpha", 0.8], 0.8 / 1.2),
             ("alpha-beta (0.5, 0.2)", ["--kind", "alpha_beta", "--alpha", 0.5, "--beta", 0.2], (0.5 + 0.4 - 0.3) / (0.5 * 2.8))):
         ratios = []
         for seed in seeds:
@@ -108,7 +112,8 @@ def noise_reduction(runs, seeds, Sample):
             smoothed = [row[0] for row in filtered(runs, options, [series])[0]]
             ratios.append(statistics.fmean(v * v for v in smoothed[100:]) / statistics.fmean(v * v for v in series[100:]))
         sample = Sample(ratios)
-        lines.append((f"small gains smooth well: variance left by {name}", f"no number; formula {expected:.3f}", sample.in_words(digits=3), within(expected, sample)))
+        lines.append((f"small gains smooth well: variance left by {name}", f"no number; formula {expected:.3f}", sample.in_words(digits=3),
+                      within(expected, sample)))
     return lines
 
 
@@ -189,7 +194,8 @@ def filters(runs, seeds, Sample):
         alpha = name.startswith("alpha (")
         lines.append((f"filter: {name}" + (": not normally used for tracking" if alpha else ""), "no number", ", ".join(parts),
                       "confirmed: it lags behind every moving target" if alpha else "position error (of the prediction)"))
-    draw(runs, "tws_filters.png", "Position error of the filters, turn from scan 15 to 35", {n: c for n, c in curves.items() if not n.startswith("alpha (")})
+    draw(runs, "tws_filters.png", "Position error of the filters, turn from scan 15 to 35",
+         {n: c for n, c in curves.items() if not n.startswith("alpha (")})
     return lines
 
 
@@ -226,7 +232,8 @@ def pass_course(runs, seeds, Sample, verdict):
     sigma_azimuth, polar, plane = 0.005, [], []
     for seed in seeds:
         noise = random.Random(seed)
-        measured = [(math.hypot(*passing(k)) + noise.gauss(0.0, SIGMA), math.atan2(*passing(k)) + noise.gauss(0.0, sigma_azimuth)) for k in range(40)]
+        measured = [(math.hypot(*passing(k)) + noise.gauss(0.0, SIGMA), math.atan2(*passing(k)) + noise.gauss(0.0, sigma_azimuth))
+                    for k in range(40)]
         ranges, azimuths = filtered(runs, options, [[r for r, _ in measured], [a for _, a in measured]])
         xs, ys = filtered(runs, options, [[r * math.sin(a) for r, a in measured], [r * math.cos(a) for r, a in measured]])
         places = [(r[2] * math.sin(a[2]), r[2] * math.cos(a[2])) for r, a in zip(ranges, azimuths)]
@@ -234,14 +241,16 @@ def pass_course(runs, seeds, Sample, verdict):
         plane.append(rms([math.hypot(xs[k][2] - passing(k)[0], ys[k][2] - passing(k)[1]) for k in range(10, 40)]))
     polar, plane = Sample(polar), Sample(plane)
     return [("pass-course: straight flight accelerates in polar coordinates", "no number; v²/d = 12.5 m/s²",
-             f"prediction off by {polar.in_words('m', digits=0)} in polar, {plane.in_words('m', digits=0)} in Cartesian coordinates", verdict(polar - plane))]
+             f"prediction off by {polar.in_words('m', digits=0)} in polar, {plane.in_words('m', digits=0)} in Cartesian coordinates",
+             verdict(polar - plane))]
 
 
-# ---- sections 2.4 and 2.5: the windows ----------------------------------------------------------------------------------------------------
+# ---- sections 2.4 and 2.5: the windows ------------------------------------------------------------------------------------------------
 
 FIGURES = [("completeness", "aircraft tracked", "%", 100, 1, True), ("rms_pos_m", "position error", "m", 1, 0, False),
            ("rms_vel_mps", "velocity error", "m/s", 1, 0, False), ("spuriousness", "track reports that follow nobody", "%", 100, 1, False),
-           ("swaps_per_truth_hour", "changes of track for each aircraft and hour", "", 1, 1, False), ("init_delay_med_s", "until a track is firm", "s", 1, 0, False)]
+           ("swaps_per_truth_hour", "changes of track for each aircraft and hour", "", 1, 1, False),
+           ("init_delay_med_s", "until a track is firm", "s", 1, 0, False)]
 
 
 def windows(runs, seeds, Sample):
@@ -256,7 +265,8 @@ def windows(runs, seeds, Sample):
         best = Sample([found["adit"]["metrics"][key] for found in both])
         gain = (adit - ours) if more else (ours - adit)
         lines.append((f"adit_nominal, {radar}: {name}", "no number",
-                      f"windows {ours.in_words(unit, scale, digits)}; ADIT {adit.in_words(unit, scale, digits)}, with both radars {best.in_words(unit, scale, digits)}",
+                      f"windows {ours.in_words(unit, scale, digits)}; ADIT {adit.in_words(unit, scale, digits)}, "
+                      f"with both radars {best.in_words(unit, scale, digits)}",
                       better(gain)))
     return lines
 

@@ -17,7 +17,7 @@ Sample, verdict = papers.Sample, papers.verdict
 
 
 sys.path.insert(0, str(pathlib.Path(PAPERS).parent))
-import papers_mrs
+import papers_mrs  # noqa: E402, beside the program
 
 
 class MrsTest(unittest.TestCase):

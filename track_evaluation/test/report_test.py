@@ -25,7 +25,8 @@ class ReportTest(unittest.TestCase):
         score = {"metrics": {"completeness": completeness, "gospa_m": None}, "identity": {}, "timing": {}, "requirements": [row]}
         (run / "metrics.json").write_text(json.dumps({"version": 1, "input": "x", "settings": {"order": 2}, "trackers": {"adit": score}}))
         (run / "series.csv").write_text(SERIES + "".join(f"adit,{t},1,2,3,4,5,{completeness},6,7,8\n" for t in range(60, 70)))
-        (run / "picture.csv").write_text("tracker,t_s,what,id,x_m,y_m\nadit,60,required,1,0,0\nadit,62,required,1,9,9\nadit,60,track,7,0,0\n")
+        picture = ["tracker,t_s,what,id,x_m,y_m", "adit,60,required,1,0,0", "adit,62,required,1,9,9", "adit,60,track,7,0,0"]
+        (run / "picture.csv").write_text("\n".join(picture) + "\n")
         return run
 
     def report(self, *arguments):
