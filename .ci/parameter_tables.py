@@ -16,7 +16,7 @@ LINE = re.compile(r"^(?P<indent> *)(?P<item>- )?(?P<key>\w+):(?: +" + VALUE + r"
 # What is commented out; a bare value has no blanks, for else a sentence with a colon would count.
 OPTIONAL = re.compile(r"^# ?(?P<rest> *(?:- )?[a-z]\w*:(?: +(?:\"[^\"]*\"|\[[^]]*\]|\{[^}]*\}|[^\s#]+))?(?: *| +# .*))$")
 ITEM = re.compile(r"^ *- (?P<value>\{.*?\})(?: *| +# (?P<comment>.*))$")
-RANGE = re.compile(r" ?\[(?:(?P<unit>[a-z ]+), )?(?P<range>[-\w.]+, [-\w.]+)\]")
+RANGE = re.compile(r" ?\[(?:(?P<unit>[A-Za-z ]+), )?(?P<range>[-\w.]+, [-\w.]+)\]")
 UNIT = re.compile(r" ?\[(?P<unit>[\w/^. ]+)\]")
 SUFFIXES = {"deg_per_s": "°/s", "mps2": "m/s²", "mps": "m/s", "m2": "m²", "kn": "kn", "deg": "°", "db": "dB", "m": "m", "s": "s"}
 SPOKEN = re.compile(r", (?P<unit>rad/s|m\^2/s\^3|m/s\^2|m/s|1/m\^3 and frame|standard deviations)(?=[ ;.,]|$)")

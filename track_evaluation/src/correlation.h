@@ -10,7 +10,7 @@
 namespace track_evaluation {
 
 /// Whether a picture of correlated tracks gives each aircraft its own code, word by word. Sampath Kumar, Viji Paul and
-/// Ramakrishnan count so: their table 1 is the number of scans with a wrong pair. README.md defines the metrics.
+/// Ramakrishnan count so: their table 1 is the number of scans with a wrong pair. doc/metrics.md defines the metrics.
 class CorrelationMetrics {
  public:
   enum class Kind { kPrimaryOnly, kSecondaryOnly, kCorrelated };

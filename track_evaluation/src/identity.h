@@ -20,7 +20,7 @@ struct IdentityParams {
 
 /// Scores tracks without truth, by the identities (Mode 3/A code, 24-bit address) that the plots bear and the tracker
 /// need not see: a track's update belongs to the nearest plot of the same instant. Takes for granted that an identity
-/// is one aircraft, so what changes its code or shares it counts against the tracker. README.md defines the metrics.
+/// is one aircraft, so what changes its code or shares it counts against the tracker. Metrics: doc/metrics.md.
 class IdentityMetrics {
  public:
   explicit IdentityMetrics(const IdentityParams& params = {}) : params_(params) {}

@@ -6,7 +6,7 @@
 
 namespace track_evaluation {
 
-/// Names and values in the order of a report. A value that is not defined for a run is NaN. README.md defines the
+/// Names and values in the order of a report. A value that is not defined for a run is NaN. doc/metrics.md defines the
 /// names.
 using MetricList = std::vector<std::pair<std::string, double>>;
 

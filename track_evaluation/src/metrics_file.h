@@ -27,7 +27,7 @@ struct RunScore {
   std::vector<TrackerScore> trackers;
 };
 
-/// As JSON with the keys that README.md lists; NaN and infinities are null. The same score gives the same bytes.
+/// As JSON with the keys that doc/metrics.md lists; NaN and infinities are null. The same score gives the same bytes.
 void writeJson(std::ostream& out, const RunScore& score);
 /// As a table for people, one column a tracker.
 void writeTable(std::ostream& out, const RunScore& score);

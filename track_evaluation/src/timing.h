@@ -8,7 +8,7 @@
 
 namespace track_evaluation {
 
-/// How long it takes from the beam to the track, in data time. README.md defines each figure.
+/// How long it takes from the beam to the track, in data time. doc/metrics.md defines each figure.
 class Timing {
  public:
   /// A radar's sector of plots with this stamp [s] was published at `now` [s].

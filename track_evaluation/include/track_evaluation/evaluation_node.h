@@ -21,7 +21,7 @@ class EvaluationNode {
   /// Epochs of truth, and plots that bear an identity, so far.
   std::size_t epochs() const;
   std::size_t identifiedPlots() const;
-  /// All scores so far, as README.md says. `input`: what the run is called.
+  /// All scores so far, as doc/metrics.md says. `input`: what the run is called.
   void writeJson(std::ostream& out, const std::string& input) const;
   void writeTable(std::ostream& out) const;
 
