@@ -70,6 +70,10 @@ class CountTests(unittest.TestCase):
             file.write_text('<testcase classname="Plots" name="AreReal"><skipped message="/x_test.cpp:3&#x0A;no data"/></testcase>')
             self.assertEqual(list(count_tests.skipped_cases([file])), ["skipped: Plots.AreReal: no data"])
 
+    def test_a_test_skipped_for_want_of_a_program_is_no_success(self):
+        self.assertTrue(count_tests.lacking(["skipped: fuzz: clang++ with libFuzzer is not installed"]))
+        self.assertFalse(count_tests.lacking(["skipped: Plots.AreReal: no data"]))
+
     def test_an_empty_result_file_is_a_failure(self):
         self.assertEqual(self.count({"test_results/p/gtest-p_test.xml": ""}), (0, 1, 0))
 
