@@ -1,6 +1,7 @@
 #include <esa_frame_builder/frame_builder_node.h>
 #include <esa_frame_builder/mfa_stub_node.h>
 
+#include <tws_runtime/defaults.h>
 #include <tws_runtime/parameters.h>
 
 #include "esa_chain_test_helpers.h"
@@ -116,9 +117,10 @@ TEST_F(MfaStubNodeTest, SaysTheSameInEveryRun) {
   }
 }
 
-TEST_F(MfaStubNodeTest, LoadsTheShippedParameters) {
+TEST_F(MfaStubNodeTest, HasTheDefaultsOfTheShippedFile) {
   const YAML::Node shipped = tws_runtime::loadParameterFile(ESA_CONFIG "/mfa_stub.yaml");
-  EXPECT_NO_THROW(MfaStubNode(graph_.addNode("shipped", shipped)));
+  const auto departures = tws_runtime::departuresFromDefaults([&] { MfaStubNode(graph_.addNode("shipped", shipped)); });
+  EXPECT_EQ(departures, std::vector<std::string>{});
 }
 
 TEST_F(MfaStubNodeTest, RefusesUnknownParameters) {

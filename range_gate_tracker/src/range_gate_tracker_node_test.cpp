@@ -5,6 +5,7 @@
 #include <tws_msgs/RangeProfile.h>
 #include <tws_msgs/Tracks.h>
 #include <tws_runtime/conversions.h>
+#include <tws_runtime/defaults.h>
 #include <tws_runtime/local_graph.h>
 #include <tws_runtime/parameters.h>
 
@@ -212,6 +213,15 @@ TEST_F(RangeGateTrackerNodeTest, IgnoresAnotherRadar) {
   send(message);
   EXPECT_EQ(count("bad profiles"), 1U);
   EXPECT_TRUE(gates_.empty());
+}
+
+TEST_F(RangeGateTrackerNodeTest, HasTheDefaultsOfTheFileForAircraft) {
+  std::ostringstream log;
+  tws_runtime::LocalGraph graph(log);
+  const YAML::Node aircraft = tws_runtime::loadParameterFile(RANGE_GATE_TRACKER_CONFIG "/aircraft.yaml");
+  const auto departures =
+      tws_runtime::departuresFromDefaults([&] { RangeGateTrackerNode(graph.addNode("tracker", aircraft)); });
+  EXPECT_EQ(departures, std::vector<std::string>{});
 }
 
 TEST_F(RangeGateTrackerNodeTest, TakesTheShippedParametersAndRefusesWrongOnes) {

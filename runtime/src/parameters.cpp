@@ -1,3 +1,4 @@
+#include <tws_runtime/defaults.h>
 #include <tws_runtime/parameters.h>
 
 #include <algorithm>
@@ -88,7 +89,42 @@ void refuseDoubleKeys(const YAML::Node& node, const std::string& path) {
   }
 }
 
+/// Where departuresFromDefaults() collects them; nowhere otherwise.
+thread_local std::vector<std::string>* departures = nullptr;
+
+bool same(double a, double b) { return a == b || std::abs(a - b) < 1e-12 * std::abs(a); }  // units were converted
+
+bool same(const std::vector<double>& a, const std::vector<double>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](double x, double y) { return same(x, y); });
+}
+
+template <class Value>
+bool same(const Value& a, const Value& b) {
+  return a == b;
+}
+
+/// Puts what was read into its variable.
+template <class Value>
+void take(Value& value, const Value& read, const std::string& path, const YAML::Node& node) {
+  if (departures && path.find('[') == std::string::npos && !same(value, read))
+    departures->push_back(path + ": " + shown(node) + " is not the default");
+  value = read;
+}
+
 }  // namespace
+
+std::vector<std::string> departuresFromDefaults(const std::function<void()>& reading) {
+  std::vector<std::string> found;
+  departures = &found;
+  try {
+    reading();
+  } catch (...) {
+    departures = nullptr;
+    throw;
+  }
+  departures = nullptr;
+  return found;
+}
 
 ParameterReader::ParameterReader(const YAML::Node& tree, std::string where)
     : ParameterReader(tree, std::move(where), "") {}
@@ -118,7 +154,7 @@ void ParameterReader::number(const std::string& key, double& value, double least
   if (!readNumber(node, read)) failAt(node, pathTo(key), "expected a number, found " + shown(node));
   if (read < least || read > greatest)
     failAt(node, pathTo(key), node.Scalar() + " is not in " + rangeText(least, greatest));
-  value = read;
+  take(value, read, pathTo(key), node);
 }
 
 void ParameterReader::integer(const std::string& key, long& value, long least, long greatest) {
@@ -128,21 +164,23 @@ void ParameterReader::integer(const std::string& key, long& value, long least, l
   if (!readInteger(node, read)) failAt(node, pathTo(key), "expected a whole number, found " + shown(node));
   if (read < least || read > greatest)
     failAt(node, pathTo(key), node.Scalar() + " is not in " + rangeText(least, greatest));
-  value = read;
+  take(value, read, pathTo(key), node);
 }
 
 void ParameterReader::flag(const std::string& key, bool& value) {
   const YAML::Node node = find(key);
   if (!node.IsDefined()) return;
-  if (!node.IsScalar() || !YAML::convert<bool>::decode(node, value))
+  bool read = false;
+  if (!node.IsScalar() || !YAML::convert<bool>::decode(node, read))
     failAt(node, pathTo(key), "expected true or false, found " + shown(node));
+  take(value, read, pathTo(key), node);
 }
 
 void ParameterReader::text(const std::string& key, std::string& value) {
   const YAML::Node node = find(key);
   if (!node.IsDefined()) return;
   if (!node.IsScalar()) failAt(node, pathTo(key), "expected text, found " + shown(node));
-  value = node.Scalar();
+  take(value, node.Scalar(), pathTo(key), node);
 }
 
 void ParameterReader::choice(const std::string& key, std::string& value, const std::vector<std::string>& allowed) {
@@ -164,7 +202,7 @@ void ParameterReader::numbers(const std::string& key, std::vector<double>& value
     if (read[i] < least || read[i] > greatest)
       failAt(node[i], path, node[i].Scalar() + " is not in " + rangeText(least, greatest));
   }
-  values = read;
+  take(values, read, pathTo(key), node);
 }
 
 void ParameterReader::texts(const std::string& key, std::vector<std::string>& values) {
@@ -176,7 +214,7 @@ void ParameterReader::texts(const std::string& key, std::vector<std::string>& va
     if (!element.IsScalar()) failAt(element, pathTo(key), "expected text, found " + shown(element));
     read.push_back(element.Scalar());
   }
-  values = read;
+  take(values, read, pathTo(key), node);
 }
 
 void ParameterReader::require(const std::string& key) const {

@@ -1,3 +1,4 @@
+#include <tws_runtime/defaults.h>
 #include <tws_runtime/parameters.h>
 
 #include <gtest/gtest.h>
@@ -41,6 +42,31 @@ YAML::Node plain() {
 }
 
 // If this fails, a value that rosparam takes for text ("1e6") stops the node or is misread.
+// If this fails, a parameter file may say something else than what holds without it, and no package's test sees it.
+TEST(DeparturesFromDefaults, AreTheKeysWhoseValueIsNotThatOfTheCode) {
+  const auto read = [](const char* yaml) {
+    return departuresFromDefaults([&] {
+      double gate = 0.1;
+      long turns = 4;
+      std::string radar = "sps12";
+      bool on = false;
+      std::vector<double> weights{1.0, 2.0};
+      ParameterReader reader(YAML::Load(yaml), "x.yaml");
+      ParameterReader map = reader.map("map");
+      scaledNumber(map, "gate", gate, 3.0, 0.0, 9.0);
+      reader.integer("turns", turns, 0, 9);
+      reader.choice("radar", radar, {"sps12", "sps39"});
+      reader.flag("on", on);
+      reader.numbers("weights", weights, 0.0, 9.0);
+    });
+  };
+  EXPECT_EQ(read("{map: {gate: 0.033333333333333333}, turns: 4.0, radar: sps12, on: false, weights: [1, 2]}").size(),
+            0U);
+  const auto found = read("{map: {gate: 0.1}, turns: 5, radar: sps39, on: true, weights: [1]}");
+  ASSERT_EQ(found.size(), 5U);
+  EXPECT_EQ(found[0], "map.gate: 0.1 is not the default");
+}
+
 TEST(ParameterReader, ReadsScalarsByWhatTheySay) {
   ParameterReader reader(plain(), "adit");
   double gate = 1.0;

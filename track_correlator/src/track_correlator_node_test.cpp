@@ -7,6 +7,7 @@
 #include <tws_msgs/SectorMark.h>
 #include <tws_msgs/Tracks.h>
 #include <tws_runtime/conversions.h>
+#include <tws_runtime/defaults.h>
 #include <tws_runtime/local_graph.h>
 #include <tws_runtime/parameters.h>
 
@@ -239,7 +240,8 @@ TEST(TrackCorrelatorNode, BeginsAnewWhenTimeGoesBack) {
 
 TEST(TrackCorrelatorNode, LoadsTheShippedFileAndRefusesUnknownParameters) {
   const YAML::Node tree = tws_runtime::loadParameterFile(TRACK_CORRELATOR_CONFIG "/track_correlator.yaml");
-  EXPECT_NO_THROW(Graph(YAML::Dump(tree)));
+  const auto departures = tws_runtime::departuresFromDefaults([&] { Graph(YAML::Dump(tree)); });
+  EXPECT_EQ(departures, std::vector<std::string>{}) << "the file is the reference of the defaults";
   EXPECT_THROW(Graph("{schema: plain}"), tws_runtime::ParameterError);
   EXPECT_THROW(Graph("{scheme: fast}"), tws_runtime::ParameterError);
   EXPECT_THROW(Graph("{delay_sectors: 1}"), tws_runtime::ParameterError);

@@ -4,6 +4,7 @@
 #include <tws_msgs/CorrelatedTracks.h>
 #include <tws_msgs/EvaluationSummary.h>
 #include <tws_msgs/SsrPlots.h>
+#include <tws_runtime/defaults.h>
 #include <tws_runtime/local_graph.h>
 #include <tws_runtime/parameters.h>
 
@@ -211,6 +212,16 @@ TEST(EvaluationNode, PublishesALatchedSummaryAndTiming) {
 TEST(EvaluationNode, RefusesAParameterItDoesNotKnowOrCannotUse) {
   for (const char* wrong : {"{cutof_m: 3}", "{cutoff_m: 0}", "{required_kinds: [bird]}", "{monitor_codes: ['8']}"})
     EXPECT_THROW(Graph{wrong}, tws_runtime::ParameterError) << wrong;
+}
+
+TEST(EvaluationNode, HasTheDefaultsOfTheShippedFileButForTheMonitors) {
+  const YAML::Node shipped = tws_runtime::loadParameterFile(EVALUATION_CONFIG "/evaluation.yaml");
+  std::ostringstream log;
+  tws_runtime::LocalGraph graph(log);
+  const auto departures =
+      tws_runtime::departuresFromDefaults([&] { EvaluationNode node(graph.addNode("evaluation", shipped)); });
+  ASSERT_EQ(departures.size(), 1U);
+  EXPECT_EQ(departures[0].substr(0, 13), "monitor_codes");
 }
 
 TEST(EvaluationNode, ReadsTheShippedParameters) {
