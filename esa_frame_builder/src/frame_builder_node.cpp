@@ -3,13 +3,13 @@
 #include <tws_msgs/DwellReports.h>
 #include <tws_msgs/Frame.h>
 #include <tws_runtime/conversions.h>
+#include <tws_runtime/intake.h>
 
 #include <optional>
 
 #include "dwell_messages.h"
 #include "frame_builder.h"
 #include "frame_builder_params_reader.h"
-#include "run_watch.h"
 
 namespace esa_frame_builder {
 namespace {
@@ -37,6 +37,11 @@ NodeParams readNodeParams(Bus& bus) {
   return params;
 }
 
+std::string durationFault(const tws_msgs::DwellReports& message) {
+  if (message.duration > 0.0 && message.duration < 1e4) return "";
+  return "duration is " + std::to_string(message.duration);
+}
+
 }  // namespace
 
 class FrameBuilderNode::Impl {
@@ -45,10 +50,12 @@ class FrameBuilderNode::Impl {
       : bus_(bus),
         params_(readNodeParams(bus)),
         topic_(params_.radar + "/dwell_reports"),
-        watch_(params_.restart_limit),
-        frames_(bus.advertise<tws_msgs::Frame>(params_.radar + "/frames")) {
+        frames_(bus.advertise<tws_msgs::Frame>(params_.radar + "/frames")),
+        intake_(bus, params_.restart_limit, [this](double) { begin(); }) {
     begin();
-    bus.subscribe<tws_msgs::DwellReports>(topic_, [this](const auto& message) { hear(message); });
+    intake_.subscribe<tws_msgs::DwellReports>(
+        {topic_, params_.radar, tws_runtime::StampOrder::kNotBackward, durationFault},
+        [this](const auto& message) { onDwells(message); });
     if (!params_.builder.expects_next_dwell)
       bus.everyData(params_.timer_period, [this](ros::Time deadline) { closeStale(deadline); });
   }
@@ -60,8 +67,7 @@ class FrameBuilderNode::Impl {
     next_period_.reset();
   }
 
-  void hear(const tws_msgs::DwellReports& message) {
-    if (!isGood(message)) return;
+  void onDwells(const tws_msgs::DwellReports& message) {
     frame_id_ = message.header.frame_id;
     through_ = message.header.stamp;
     countLosses(message);
@@ -74,31 +80,8 @@ class FrameBuilderNode::Impl {
     publishHeartbeat();
   }
 
-  bool isGood(const tws_msgs::DwellReports& message) {
-    if (message.radar != params_.radar)
-      bus_.counter("bad messages").add("radar '" + message.radar + "', expected '" + params_.radar + "'" + at(message));
-    else if (!(message.duration > 0.0 && message.duration < 1e4))
-      bus_.counter("bad messages").add("duration is " + std::to_string(message.duration) + at(message));
-    else
-      return fits(message);
-    return false;
-  }
-
-  bool fits(const tws_msgs::DwellReports& message) {
-    const RunWatch::Verdict verdict = watch_.judge(tws_runtime::toSeconds(message.header.stamp));
-    if (verdict == RunWatch::Verdict::kLate) {
-      bus_.counter("late messages").add("the stamp goes back" + at(message));
-      return false;
-    }
-    if (verdict == RunWatch::Verdict::kNewRun) {
-      bus_.counter("new runs").add("time has gone back" + at(message));
-      begin();
-    }
-    return true;
-  }
-
   std::string at(const tws_msgs::DwellReports& message) const {
-    return " in " + topic_ + " at " + std::to_string(message.header.stamp.toSec()) + " s";
+    return tws_runtime::whereText(topic_, message.header.stamp);
   }
 
   void countLosses(const tws_msgs::DwellReports& message) {
@@ -151,7 +134,7 @@ class FrameBuilderNode::Impl {
 
   void publish(tws_msgs::Frame& message) {
     message.header.frame_id = frame_id_;
-    message.radar = params_.radar;
+    message.radar = intake_.radarOf(topic_);
     message.through = through_;
     frames_.publish(message);
   }
@@ -166,12 +149,12 @@ class FrameBuilderNode::Impl {
   NodeParams params_;
   std::string topic_;
   std::string frame_id_;  // the array
-  RunWatch watch_;
   tws_runtime::Publisher<tws_msgs::Frame> frames_;
   std::optional<FrameBuilder> builder_;
   ros::Time through_;
   double last_dwell_ = 0.0;  // [s]
   std::optional<std::uint32_t> next_period_;
+  tws_runtime::Intake intake_;
 };
 
 FrameBuilderNode::FrameBuilderNode(Bus& bus) : impl_(std::make_unique<Impl>(bus)) {}

@@ -2,7 +2,9 @@
 
 #include <tws_runtime/defaults.h>
 #include <tws_runtime/parameters.h>
+#include <tws_runtime/stray_stamps_test_helpers.h>
 
+#include <iterator>
 #include <limits>
 
 #include "esa_chain_test_helpers.h"
@@ -103,12 +105,32 @@ TEST_F(FrameBuilderNodeTest, BeginsAnewWhenTimeGoesFarBack) {
   publish(report(100.1, sweep(100.0)));
   publish(report(100.2, sweep(100.1)));
   next_period_ = 0;
-  publish(report(0.1, sweep(0.0)));
+  frames_.clear();
+  for (int n = 0; n < 15; ++n) publish(report(0.1 * (n + 1), sweep(0.1 * n)));
   EXPECT_EQ(count("new runs"), 1U);
   EXPECT_EQ(count("lost resource periods"), 0U);
   const auto open = framesOf(tws_msgs::Frame::PARTIAL);
-  EXPECT_EQ(open.back().frame, 0U);
-  EXPECT_EQ(open.back().dwells[0].stamp, ros::Time(0.01));
+  EXPECT_EQ(open.front().frame, 0U);
+  EXPECT_EQ(open.front().dwells[0].stamp, ros::Time(0.01)) << "nothing of the new run is lost";
+}
+
+// If this fails, one stamp that was damaged on its way ends the frames.
+TEST_F(FrameBuilderNodeTest, OneStrayStampEndsNoRun) {
+  start();
+  int period = 0;
+  const auto run = [&](int periods) {
+    for (int n = 0; n < periods; ++n, ++period) publish(report(1000.1 + 0.1 * period, sweep(1000.0 + 0.1 * period)));
+  };
+  for (const double off : tws_runtime::kStrays) {
+    run(20);
+    publish(tws_runtime::withStrayStamp(report(1000.1 + 0.1 * period, {}), off));
+    ++period;
+  }
+  run(20);
+  EXPECT_EQ(count("stray messages"), std::size(tws_runtime::kStrays));
+  EXPECT_EQ(count("new runs"), 0U);
+  EXPECT_EQ(count("resource periods"), 100U);
+  EXPECT_EQ(count("late messages"), 0U);
 }
 
 TEST_F(FrameBuilderNodeTest, OnALiveRadarTheTimerClosesAFrameThatGrowsStale) {

@@ -1,15 +1,17 @@
 #pragma once
 
+#include <tws_core/sea_level.h>
 #include <tws_msgs/TrackDatabase.h>
 #include <tws_msgs/Tracks.h>
 
-#include "array_pose.h"
 #include "frame_tracker.h"
 #include "mfa_stub_params.h"
 
 namespace esa_frame_builder {
 
-tws_msgs::Track trackMessage(const TrackWord& word, const ArrayPose& pose, const std::string& radar);
+/// `array`: where it stands in the frame of positions [m].
+tws_msgs::Track trackMessage(const TrackWord& word, const Eigen::Vector3d& array, const tws::SeaLevel& sea,
+                             const std::string& radar);
 
 /// The track moved on to `time` [s].
 tws_msgs::TrackDatabaseEntry databaseEntry(const FrameTrack& track, double time, const MfaStubParams& params);

@@ -4,16 +4,16 @@
 #include <tws_msgs/TrackDatabase.h>
 #include <tws_msgs/Tracks.h>
 #include <tws_runtime/conversions.h>
-#include <tws_runtime/sites.h>
+#include <tws_runtime/intake.h>
+#include <tws_runtime/site_gate.h>
+#include <tws_runtime/track_writer.h>
 
-#include <deque>
-#include <optional>
+#include <memory>
 
 #include "dwell_messages.h"
 #include "frame_rules.h"
 #include "mfa_messages.h"
 #include "mfa_stub_params_reader.h"
-#include "run_watch.h"
 #include "stub_tracker.h"
 
 namespace esa_frame_builder {
@@ -26,6 +26,7 @@ struct NodeParams {
   std::string radar = "esa";
   std::string frame = "map";
   double restart_limit = 5.0;  // [s]
+  tws::SeaLevel sea;
 };
 
 NodeParams readNodeParams(Bus& bus) {
@@ -35,12 +36,13 @@ NodeParams readNodeParams(Bus& bus) {
   reader.text("radar", params.radar);
   reader.text("frame", params.frame);
   reader.number("restart_limit_s", params.restart_limit, 0.5, 3600.0);
+  params.sea = tws_runtime::readOrigin(reader);
   reader.done();
   if (params.radar.empty()) reader.fail("radar", "must not be empty");
   return params;
 }
 
-// Heartbeats that wait for the array's pose.
+// Frames that wait for the array's pose.
 constexpr std::size_t kMostWaiting = 50;
 
 }  // namespace
@@ -51,62 +53,35 @@ class MfaStubNode::Impl {
       : bus_(bus),
         params_(readNodeParams(bus)),
         topic_(params_.radar + "/frames"),
-        watch_(params_.restart_limit),
-        tracks_(bus.advertise<tws_msgs::Tracks>(params_.radar + "/tracks")),
-        database_(bus.advertise<tws_msgs::TrackDatabase>(params_.radar + "/track_database")) {
-    bus.subscribe<tws_msgs::Frame>(topic_, [this](const auto& message) { hear(message); });
+        tracks_(bus, params_.radar + "/tracks", params_.frame),
+        database_(bus.advertise<tws_msgs::TrackDatabase>(params_.radar + "/track_database")),
+        site_(bus, params_.frame, kMostWaiting),
+        intake_(bus, params_.restart_limit, [this](double) { begin(); }) {
+    tws_runtime::IntakeTopic<tws_msgs::Frame> frames{topic_, params_.radar, tws_runtime::StampOrder::kNotBackward};
+    frames.stamp = [](const tws_msgs::Frame& message) { return message.through; };
+    intake_.subscribe<tws_msgs::Frame>(frames, [this](const auto& message) {
+      site_.add(message.header.frame_id, message, [this](const tws_msgs::Frame& each) { onFrame(each); });
+    });
   }
 
  private:
   void begin() {
+    site_.clear();
     window_ = FrameWindow(params_.tracker.window_frames);
-    if (pose_) tracker_ = std::make_unique<StubTracker>(params_.tracker, *pose_);
+    tracker_.reset();
   }
 
-  void hear(const tws_msgs::Frame& message) {
-    if (!isGood(message)) return;
-    waiting_.push_back(message);
-    if (!pose_ && !findPose(message)) return;
-    for (; !waiting_.empty(); waiting_.pop_front()) take(waiting_.front());
+  /// The first frame of a run, once the array's pose is known.
+  void start() {
+    if (const auto& pose = site_.pose()) pose_ = {pose->translation(), pose->linear()};
+    window_ = FrameWindow(params_.tracker.window_frames);
+    tracker_ = std::make_unique<StubTracker>(params_.tracker, pose_);
   }
 
-  bool isGood(const tws_msgs::Frame& message) {
-    if (message.radar != params_.radar) {
-      bus_.counter("bad messages").add("radar '" + message.radar + "', expected '" + params_.radar + "'" + at(message));
-      return false;
-    }
-    const RunWatch::Verdict verdict = watch_.judge(tws_runtime::toSeconds(message.through));
-    if (verdict == RunWatch::Verdict::kLate) {
-      bus_.counter("late messages").add("the stamp goes back" + at(message));
-      return false;
-    }
-    if (verdict == RunWatch::Verdict::kNewRun) {
-      bus_.counter("new runs").add("time has gone back" + at(message));
-      waiting_.clear();
-      begin();
-    }
-    return true;
-  }
+  std::string at(const tws_msgs::Frame& message) const { return tws_runtime::whereText(topic_, message.through); }
 
-  std::string at(const tws_msgs::Frame& message) const {
-    return " in " + topic_ + " at " + std::to_string(message.through.toSec()) + " s";
-  }
-
-  /// False: wait for the array's pose.
-  bool findPose(const tws_msgs::Frame& message) {
-    std::string why;
-    const auto pose = tws_runtime::findPose(bus_.transforms(), params_.frame, message.header.frame_id, why);
-    if (!pose && waiting_.size() <= kMostWaiting) return false;
-    if (!pose) {
-      bus_.counter("unknown poses")
-          .add("no transform from " + message.header.frame_id + " to " + params_.frame + ": " + why);
-    }
-    pose_ = pose ? ArrayPose{pose->translation(), pose->linear()} : ArrayPose{};
-    begin();
-    return true;
-  }
-
-  void take(const tws_msgs::Frame& message) {
+  void onFrame(const tws_msgs::Frame& message) {
+    if (!tracker_) start();
     if (message.status == tws_msgs::Frame::HEARTBEAT) return answer(message);
     std::vector<std::string> faults;
     Frame frame = toFrame(message, faults);
@@ -129,14 +104,9 @@ class MfaStubNode::Impl {
   }
 
   void publishTracks(const tws_msgs::Frame& heartbeat, const TrackReport& report) {
-    tws_msgs::Tracks message;
-    message.header.stamp = heartbeat.through;
-    message.header.frame_id = params_.frame;
-    message.tracker = bus_.name();
-    message.radar = params_.radar;
-    message.sequence = sequence_++;
+    tws_msgs::Tracks message = tracks_.message(heartbeat.through, params_.radar);
     for (const TrackWord& word : report.words) {
-      message.tracks.push_back(trackMessage(word, *pose_, params_.radar));
+      message.tracks.push_back(trackMessage(word, pose_.place, params_.sea, params_.radar));
       if (word.dropped) bus_.counter("dropped tracks").add();
     }
     tracks_.publish(message);
@@ -146,7 +116,7 @@ class MfaStubNode::Impl {
     tws_msgs::TrackDatabase message;
     message.header.stamp = heartbeat.through;
     message.header.frame_id = params_.frame;
-    message.radar = params_.radar;
+    message.radar = heartbeat.radar;
     const double time = tws_runtime::toSeconds(heartbeat.through);
     for (const FrameTrack& track : report.living) message.tracks.push_back(databaseEntry(track, time, params_.tracker));
     database_.publish(message);
@@ -155,14 +125,13 @@ class MfaStubNode::Impl {
   Bus& bus_;
   NodeParams params_;
   std::string topic_;
-  RunWatch watch_;
-  tws_runtime::Publisher<tws_msgs::Tracks> tracks_;
+  tws_runtime::TrackWriter tracks_;
   tws_runtime::Publisher<tws_msgs::TrackDatabase> database_;
-  std::deque<tws_msgs::Frame> waiting_;
-  std::optional<ArrayPose> pose_;
+  tws_runtime::SiteGate site_;
+  ArrayPose pose_;
   FrameWindow window_{2};
   std::unique_ptr<FrameTracker> tracker_;
-  std::uint32_t sequence_ = 0;
+  tws_runtime::Intake intake_;
 };
 
 MfaStubNode::MfaStubNode(Bus& bus) : impl_(std::make_unique<Impl>(bus)) {}

@@ -3,6 +3,9 @@
 
 #include <tws_runtime/defaults.h>
 #include <tws_runtime/parameters.h>
+#include <tws_runtime/stray_stamps_test_helpers.h>
+
+#include <iterator>
 
 #include "esa_chain_test_helpers.h"
 
@@ -57,7 +60,7 @@ TEST_F(MfaStubNodeTest, WaitsForTheArraysPose) {
   placeArray();
   fly(1, 1.0);
   EXPECT_EQ(databases_.size(), 11U);
-  EXPECT_EQ(count("unknown poses"), 0U);
+  EXPECT_EQ(count("unknown sites"), 0U);
 }
 
 // If this fails, a bag played twice shows the aircraft of the first time.
@@ -67,9 +70,37 @@ TEST_F(MfaStubNodeTest, BeginsAnewWhenTimeGoesFarBack) {
   fly(80);
   EXPECT_EQ(databases_.back().tracks.size(), 1U);
   next_period_ = 0;
-  fly(1);
-  EXPECT_TRUE(databases_.back().tracks.empty());
+  const std::size_t first = databases_.size();
+  fly(15);
+  EXPECT_EQ(databases_.size(), first + 15U);
+  EXPECT_TRUE(databases_[first].tracks.empty());
   EXPECT_EQ(count("new runs"), 1U);
+}
+
+// If this fails, one stamp that was damaged on its way costs all tracks: of the reports, or of the frames between the
+// two nodes.
+TEST_F(MfaStubNodeTest, OneStrayStampLosesNoTrack) {
+  start();
+  placeArray();
+  auto frames = graph_.addNode("between").advertise<tws_msgs::Frame>("/esa/frames");
+  double time = 100.0;
+  for (const double off : tws_runtime::kStrays) {
+    fly(20, time);
+    time += 2.1;
+    publish(tws_runtime::withStrayStamp(report(time, {}), off));
+    tws_msgs::Frame stray = frames_.back();
+    stray.through = tws_runtime::strayed(stray.through, off);
+    frames.publish(stray);
+    graph_.drain();
+  }
+  fly(20, time);
+  EXPECT_EQ(databases_.size(), 100U);
+  EXPECT_EQ(count("new runs"), 0U);
+  EXPECT_GE(count("stray messages"), std::size(tws_runtime::kStrays));
+  for (const auto& message : tracks_)
+    for (const auto& track : message.tracks) EXPECT_NE(track.state, tws_msgs::Track::DROPPED);
+  ASSERT_EQ(tracks_.back().tracks.size(), 1U);
+  EXPECT_EQ(tracks_.back().tracks[0].uid, tracks_[10].tracks[0].uid);
 }
 
 // If this fails, nobody hears that a frame builder sends nonsense, or one bad frame costs the good ones.

@@ -5,6 +5,7 @@
 
 #include <tws_core/angles.h>
 #include <tws_core/geometry.h>
+#include <tws_runtime/track_writer.h>
 
 namespace range_gate_tracker {
 namespace {
@@ -25,8 +26,7 @@ std::uint8_t lockOf(Lock lock) {
 
 }  // namespace
 
-std::string faultOf(const tws_msgs::RangeProfile& message, const std::string& radar) {
-  if (message.radar != radar) return "radar '" + message.radar + "', expected '" + radar + "'";
+std::string faultOf(const tws_msgs::RangeProfile& message) {
   if (message.amplitude.size() != message.bins)
     return std::to_string(message.amplitude.size()) + " amplitudes, announced: " + std::to_string(message.bins);
   if (std::isinf(message.azimuth)) return "azimuth is infinite";
@@ -55,17 +55,14 @@ tws_msgs::RangeGate toMessage(const GateReport& report, const RangeGateParams& p
   return message;
 }
 
-tws_msgs::Track toTrack(const GateReport& report, double azimuth) {
-  tws_msgs::Track track;
+tws_msgs::Track toTrack(const GateReport& report, double azimuth, std::uint32_t uid) {
+  tws_msgs::Track track = tws_runtime::blankTrack(1, uid);
   track.stamp = tws_runtime::toTime(report.time);
   track.state = report.lock == Lock::kLocked ? tws_msgs::Track::FIRM : tws_msgs::Track::COASTING;
-  track.range = report.smoothed;
-  track.azimuth = std::isnan(azimuth) ? kUnknown : tws::wrapTwoPi(azimuth);
-  track.range_rate = report.rate;
-  track.elevation = track.azimuth_rate = track.height = track.height_sigma = kUnknown;
+  tws_runtime::setPolar(
+      track, {report.smoothed, std::isnan(azimuth) ? kUnknown : tws::wrapTwoPi(azimuth), report.rate, kUnknown});
   track.detection_bits =
       report.lock == Lock::kLocked ? std::uint16_t{tws_msgs::Track::DETECTED_BY_RADAR_0} : std::uint16_t{0};
-  track.mode_1 = track.mode_2 = track.mode_3a = tws_msgs::Track::CODE_UNKNOWN;
   return track;
 }
 
@@ -77,7 +74,6 @@ void place(tws_msgs::Track& track, const tws_runtime::Site& site) {
   track.position.y = site.y + at.y();
   track.velocity.x = velocity.x();
   track.velocity.y = velocity.y();
-  track.position.z = track.velocity.z = kUnknown;
   track.speed = std::abs(track.range_rate);
   track.course = track.speed > 0.0 ? tws::azimuthOf(velocity) : kUnknown;
 }

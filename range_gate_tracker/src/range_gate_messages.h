@@ -5,6 +5,7 @@
 #include <tws_msgs/Track.h>
 #include <tws_runtime/conversions.h>
 
+#include <cstdint>
 #include <string>
 
 #include "range_gate_tracker.h"
@@ -12,7 +13,7 @@
 namespace range_gate_tracker {
 
 /// Why a profile cannot be used; empty: nothing in the message says so. (The tracker looks at the numbers.)
-std::string faultOf(const tws_msgs::RangeProfile& message, const std::string& radar);
+std::string faultOf(const tws_msgs::RangeProfile& message);
 
 RangeProfile toProfile(const tws_msgs::RangeProfile& message);
 
@@ -20,7 +21,7 @@ tws_msgs::RangeGate toMessage(const GateReport& report, const RangeGateParams& p
 
 /// The target as a track, still without its place: slant range and rate, azimuth of the beam [rad], NaN when unknown.
 /// Locked or coasting only.
-tws_msgs::Track toTrack(const GateReport& report, double azimuth);
+tws_msgs::Track toTrack(const GateReport& report, double azimuth, std::uint32_t uid);
 
 /// Sets position, velocity, speed and course from the polar state: what is seen of the velocity, along the beam. NaN
 /// without an azimuth.

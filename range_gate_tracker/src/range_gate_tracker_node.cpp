@@ -1,15 +1,15 @@
 #include <range_gate_tracker/range_gate_tracker_node.h>
 
-#include <tws_core/run_guard.h>
 #include <tws_msgs/RangeGate.h>
 #include <tws_msgs/RangeProfile.h>
-#include <tws_msgs/Tracks.h>
-#include <tws_runtime/sites.h>
+#include <tws_runtime/intake.h>
+#include <tws_runtime/site_gate.h>
+#include <tws_runtime/track_writer.h>
 
-#include <deque>
 #include <limits>
 #include <optional>
 #include <stdexcept>
+#include <vector>
 
 #include "range_gate_messages.h"
 #include "range_gate_params_reader.h"
@@ -50,11 +50,13 @@ class RangeGateTrackerNode::Impl {
       : bus_(bus),
         params_(readNodeParams(bus)),
         topic_(params_.radar + "/range_profile"),
-        guard_(1, params_.restart_limit),
         gates_(bus.advertise<tws_msgs::RangeGate>(params_.radar + "/range_gate")),
-        tracks_(bus.advertise<tws_msgs::Tracks>(params_.radar + "/tracks")) {
+        tracks_(bus, params_.radar + "/tracks", params_.frame),
+        site_(bus, params_.frame, kMostWaiting),
+        intake_(bus, params_.restart_limit, [this](double) { begin(); }) {
     begin();
-    bus.subscribe<tws_msgs::RangeProfile>(topic_, [this](const auto& message) { hear(message); });
+    intake_.subscribe<tws_msgs::RangeProfile>({topic_, params_.radar, tws_runtime::StampOrder::kForward},
+                                              [this](const auto& message) { onProfile(message); });
   }
 
  private:
@@ -66,48 +68,25 @@ class RangeGateTrackerNode::Impl {
     next_tracks_ = -std::numeric_limits<double>::infinity();
   }
 
-  void hear(const tws_msgs::RangeProfile& message) {
-    if (!fits(message)) return;
-    std::string fault = faultOf(message, params_.radar);
+  void onProfile(const tws_msgs::RangeProfile& message) {
+    std::string fault = faultOf(message);
     try {
-      if (fault.empty()) return take(message, tracker_->process(toProfile(message)));
+      if (fault.empty()) return add(message, tracker_->process(toProfile(message)));
     } catch (const std::invalid_argument& error) {
       fault = error.what();
     }
-    bus_.counter("bad profiles").add(fault + where(message));
-    if (message.radar == params_.radar) answerUnchanged(message);
+    bus_.counter("bad profiles").add(fault + tws_runtime::whereText(topic_, message.header.stamp));
+    answerUnchanged(message);
   }
 
-  /// The stamp is one of this run, and new.
-  bool fits(const tws_msgs::RangeProfile& message) {
-    const double time = tws_runtime::toSeconds(message.header.stamp);
-    const tws::RunGuard::Verdict verdict = guard_.judge(0, time);
-    if (verdict == tws::RunGuard::Verdict::kNewRun) {
-      bus_.counter("new runs").add("time has gone back" + where(message));
-      begin();
-      return true;
-    }
-    if (verdict != tws::RunGuard::Verdict::kTake) {
-      bus_.counter("stray profiles").add("the stamp is out of line" + where(message));
-      return false;
-    }
-    if (!last_ || time > last_->time) return true;
-    bus_.counter("late profiles").add("not later than the profile before" + where(message));
-    return false;
-  }
-
-  std::string where(const tws_msgs::RangeProfile& message) const {
-    return " in " + topic_ + " at " + std::to_string(message.header.stamp.toSec()) + " s";
-  }
-
-  void take(const tws_msgs::RangeProfile& message, const GateReport& report) {
+  void add(const tws_msgs::RangeProfile& message, const GateReport& report) {
     if (next_profile_ && message.profile > *next_profile_)
       bus_.counter("lost profiles").add(message.profile - *next_profile_);
     next_profile_ = message.profile + 1;
     bus_.counter("profiles").add();
     if (report.lock == Lock::kSearching && last_ && last_->lock != Lock::kSearching) bus_.counter("lost targets").add();
     answer(message, report);
-    speak(message, report);
+    update(message, report);
     last_ = report;
   }
 
@@ -116,7 +95,7 @@ class RangeGateTrackerNode::Impl {
     tws_msgs::RangeGate gate = toMessage(report, params_.tracker);
     gate.header.stamp = message.header.stamp;
     gate.header.frame_id = message.header.frame_id;
-    gate.radar = params_.radar;
+    gate.radar = message.radar;
     gates_.publish(gate);
   }
 
@@ -127,24 +106,22 @@ class RangeGateTrackerNode::Impl {
     answer(message, *last_);
   }
 
-  void speak(const tws_msgs::RangeProfile& message, const GateReport& report) {
-    tws_msgs::Tracks words;
+  void update(const tws_msgs::RangeProfile& message, const GateReport& report) {
+    std::vector<tws_msgs::Track> words;
     const bool has_target = report.lock != Lock::kSearching;
     const bool is_news = has_target != target_.has_value();
     if (has_target) {
-      words.tracks.push_back(*(target_ = wordOf(report, message.azimuth)));
+      words.push_back(*(target_ = wordOf(report, message.azimuth)));
     } else if (target_) {
-      words.tracks.push_back(*target_);
-      words.tracks.back().state = tws_msgs::Track::DROPPED;
+      words.push_back(*target_);
+      words.back().state = tws_msgs::Track::DROPPED;
       target_.reset();
     }
-    if (is_news || report.time >= next_tracks_) publish(message, words);
+    if (is_news || report.time >= next_tracks_) publish(message, std::move(words));
   }
 
   tws_msgs::Track wordOf(const GateReport& report, double azimuth) {
-    tws_msgs::Track word = toTrack(report, azimuth);
-    word.number = 1;
-    word.uid = target_ ? target_->uid : ++uid_;
+    tws_msgs::Track word = toTrack(report, azimuth, target_ ? target_->uid : ++uid_);
     word.first_detection = target_ ? target_->first_detection : word.stamp;
     word.last_update = report.lock == Lock::kLocked ? word.stamp : target_->last_update;
     word.radars = {params_.radar};
@@ -153,43 +130,31 @@ class RangeGateTrackerNode::Impl {
   }
 
   /// Tracks wait until the radar's site is known; without one their places stay unknown.
-  std::optional<tws_runtime::Site> awaitSite(const std::string& radar_frame) {
-    constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
-    return tws_runtime::awaitSite(bus_, params_.frame, radar_frame, waiting_.size() <= kMostWaiting,
-                                  {kUnknown, kUnknown, kUnknown, kUnknown});
-  }
-
-  void publish(const tws_msgs::RangeProfile& message, tws_msgs::Tracks& words) {
+  void publish(const tws_msgs::RangeProfile& message, std::vector<tws_msgs::Track> words) {
     next_tracks_ = tws_runtime::toSeconds(message.header.stamp) + params_.track_period;
-    words.header.stamp = message.header.stamp;
-    words.header.frame_id = params_.frame;
-    words.tracker = bus_.name();
-    words.sequence = sequence_++;
-    waiting_.push_back(words);
-    if (!site_) site_ = awaitSite(message.header.frame_id);
-    if (!site_) return;
-    for (tws_msgs::Tracks& ready : waiting_) {
-      for (tws_msgs::Track& track : ready.tracks) place(track, *site_);
+    tws_msgs::Tracks out = tracks_.message(message.header.stamp, "");
+    out.tracks = std::move(words);
+    site_.add(message.header.frame_id, std::move(out), [this](tws_msgs::Tracks& ready) {
+      constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+      const tws_runtime::Site site = site_.site().value_or(tws_runtime::Site{kUnknown, kUnknown, kUnknown, kUnknown});
+      for (tws_msgs::Track& track : ready.tracks) place(track, site);
       tracks_.publish(ready);
-    }
-    waiting_.clear();
+    });
   }
 
   Bus& bus_;
   NodeParams params_;
   std::string topic_;
-  tws::RunGuard guard_;
   tws_runtime::Publisher<tws_msgs::RangeGate> gates_;
-  tws_runtime::Publisher<tws_msgs::Tracks> tracks_;
+  tws_runtime::TrackWriter tracks_;
+  tws_runtime::SiteGate site_;  // Tracks messages wait for it
   std::optional<RangeGateTracker> tracker_;
   std::optional<GateReport> last_;
-  std::optional<tws_msgs::Track> target_;  // its last word
+  std::optional<tws_msgs::Track> target_;  // its latest update
   std::optional<std::uint32_t> next_profile_;
-  std::optional<tws_runtime::Site> site_;
-  std::deque<tws_msgs::Tracks> waiting_;  // for the site
-  double next_tracks_ = 0.0;              // [s]
+  double next_tracks_ = 0.0;  // [s]
   std::uint32_t uid_ = 0;
-  std::uint32_t sequence_ = 0;
+  tws_runtime::Intake intake_;
 };
 
 RangeGateTrackerNode::RangeGateTrackerNode(Bus& bus) : impl_(std::make_unique<Impl>(bus)) {}

@@ -8,8 +8,10 @@
 #include <tws_runtime/defaults.h>
 #include <tws_runtime/local_graph.h>
 #include <tws_runtime/parameters.h>
+#include <tws_runtime/stray_stamps_test_helpers.h>
 
 #include <cmath>
+#include <iterator>
 #include <sstream>
 
 namespace range_gate_tracker {
@@ -177,14 +179,31 @@ TEST_F(RangeGateTrackerNodeTest, IgnoresAProfileFromThePastAndBeginsAnewWhenARun
   sendMany(100.0, 101.0);
   const std::size_t answers = gates_.size();
   send(profile(100.5));
-  EXPECT_EQ(count("late profiles"), 1U);
-  send(profile(10.0));  // one mad stamp
-  EXPECT_EQ(count("stray profiles"), 1U);
+  EXPECT_EQ(count("late messages"), 1U);
   EXPECT_EQ(gates_.size(), answers);
-  send(profile(10.02));
+  sendMany(10.0, 11.5);
   EXPECT_EQ(count("new runs"), 1U);
-  EXPECT_EQ(gates_.back().lock, tws_msgs::RangeGate::SEARCHING);
-  EXPECT_EQ(gates_.back().header.stamp, ros::Time(10.02));
+  EXPECT_EQ(gates_.size(), answers + 75U) << "none of the new run is lost";
+  EXPECT_EQ(gates_[answers].lock, tws_msgs::RangeGate::SEARCHING);
+  EXPECT_EQ(gates_[answers].header.stamp, ros::Time(10.0));
+}
+
+// If this fails, one stamp that was damaged on its way costs the target.
+TEST_F(RangeGateTrackerNodeTest, OneStrayStampDoesNotLoseTheTarget) {
+  start();
+  placeRadar();
+  double time = 100.0;
+  for (const double off : tws_runtime::kStrays) {
+    sendMany(time, time + 1.0);
+    time += 1.0;
+    send(tws_runtime::withStrayStamp(profile(time), off));
+  }
+  sendMany(time, time + 1.0);
+  EXPECT_EQ(count("stray messages"), std::size(tws_runtime::kStrays));
+  EXPECT_EQ(count("new runs"), 0U);
+  EXPECT_EQ(count("lost targets"), 0U);
+  EXPECT_EQ(gates_.size(), 250U);
+  EXPECT_EQ(words_.back().tracks.back().uid, 1U);
 }
 
 TEST_F(RangeGateTrackerNodeTest, AnAllZeroProfileReusesThePreviousRange) {
@@ -208,11 +227,26 @@ TEST_F(RangeGateTrackerNodeTest, CountsProfilesThatAreMissing) {
 
 TEST_F(RangeGateTrackerNodeTest, IgnoresAnotherRadar) {
   start();
-  tws_msgs::RangeProfile message = profile(100.0);
+  send(profile(100.0));
+  tws_msgs::RangeProfile message = profile(100.02);
   message.radar = "other";
   send(message);
-  EXPECT_EQ(count("bad profiles"), 1U);
-  EXPECT_TRUE(gates_.empty());
+  EXPECT_EQ(count("bad messages"), 1U);
+  EXPECT_EQ(gates_.size(), 1U);
+}
+
+// The command goes to the radar by the name that it uses.
+TEST_F(RangeGateTrackerNodeTest, AnswersARadarUnderARemappedTopicByItsOwnName) {
+  start();
+  placeRadar();
+  for (int i = 0; i < 50; ++i) {
+    tws_msgs::RangeProfile message = profile(100.0 + 0.02 * i);
+    message.radar = "myradar";
+    send(message);
+  }
+  ASSERT_EQ(gates_.size(), 50U);
+  EXPECT_EQ(gates_.back().radar, "myradar");
+  EXPECT_EQ(words_.back().tracks.back().radars, std::vector<std::string>{"mrs"});
 }
 
 TEST_F(RangeGateTrackerNodeTest, HasTheDefaultsOfTheFileForAircraft) {

@@ -1,15 +1,12 @@
 #include "window_messages.h"
 
 #include <Eigen/Geometry>
-#include <cmath>
-#include <limits>
+#include <algorithm>
 
-#include <tws_core/geometry.h>
+#include <tws_runtime/track_writer.h>
 
 namespace range_gate_tracker {
 namespace {
-
-constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
 std::uint8_t stateOf(const WindowTracker& tracker, const WindowWord& word) {
   if (word.event == WindowEvent::kDropped) return tws_msgs::Track::DROPPED;
@@ -20,24 +17,6 @@ std::uint8_t stateOf(const WindowTracker& tracker, const WindowWord& word) {
 /// The time for which a track is told: of its latest detection, or when it was last looked for.
 double timeOf(const TrackFile& track) {
   return track.misses > 0 && track.previous.close >= track.previous.open ? track.previous.time : track.last_update;
-}
-
-void setPlace(tws_msgs::Track& message, const WindowKinematics& k, const tws_runtime::Site& site) {
-  const Eigen::Vector2d position = toFrame(k.position, site);
-  const Eigen::Vector2d velocity = Eigen::Rotation2Dd(site.turn) * k.velocity;
-  message.stamp = tws_runtime::toTime(k.time);
-  message.range = k.range;
-  message.azimuth = k.azimuth;
-  message.elevation = kUnknown;
-  message.range_rate = k.range_rate;
-  message.azimuth_rate = k.azimuth_rate;
-  message.position.x = position.x();
-  message.position.y = position.y();
-  message.velocity.x = velocity.x();
-  message.velocity.y = velocity.y();
-  message.position.z = message.velocity.z = kUnknown;
-  message.speed = velocity.norm();
-  message.course = message.speed > 0.0 ? tws::azimuthOf(velocity) : kUnknown;
 }
 
 }  // namespace
@@ -53,20 +32,19 @@ Eigen::Vector2d toFrame(const Eigen::Vector2d& place, const tws_runtime::Site& s
 tws_msgs::Track trackMessage(const WindowTracker& tracker, const WindowWord& word, const tws_runtime::Site& site,
                              const std::string& radar) {
   const TrackFile& track = *word.file;
-  tws_msgs::Track message;
-  message.number = track.number;
-  message.uid = track.uid;
+  const WindowKinematics k = tracker.at(track, timeOf(track));
+  tws_msgs::Track message = tws_runtime::blankTrack(track.number, track.uid);
   message.state = stateOf(tracker, word);
+  message.stamp = tws_runtime::toTime(k.time);
   message.first_detection = tws_runtime::toTime(track.first_time);
   message.last_update = tws_runtime::toTime(track.last_update);
-  setPlace(message, tracker.at(track, timeOf(track)), site);
+  tws_runtime::setPolar(message, {k.range, k.azimuth, k.range_rate, k.azimuth_rate});
+  tws_runtime::setPlanar(message, k.position, k.velocity, site);
   if (track.misses == 0 && track.hits > 0) message.detection_bits = tws_msgs::Track::DETECTED_BY_RADAR_0;
   if (track.hits > 0) {
     message.radars.push_back(radar);
     message.radar_updates.push_back(message.last_update);
   }
-  message.mode_1 = message.mode_2 = message.mode_3a = tws_msgs::Track::CODE_UNKNOWN;
-  message.height = message.height_sigma = kUnknown;
   return message;
 }
 

@@ -4,22 +4,22 @@
 #include <tws_msgs/DropTrack.h>
 #include <tws_msgs/OperatorRequest.h>
 #include <tws_msgs/TrackWindows.h>
-#include <tws_msgs/Tracks.h>
 #include <tws_runtime/conversions.h>
+#include <tws_runtime/count_report.h>
 #include <tws_runtime/parameters.h>
 #include <tws_runtime/radar_inputs.h>
-#include <tws_runtime/sites.h>
+#include <tws_runtime/request_log.h>
+#include <tws_runtime/site_gate.h>
+#include <tws_runtime/track_writer.h>
 
-#include <cmath>
-#include <deque>
-#include <limits>
+#include <algorithm>
 #include <optional>
 #include <stdexcept>
+#include <vector>
 
 #include <tws_core/geometry.h>
 #include <tws_core/sectors.h>
 
-#include "request_queue.h"
 #include "window_messages.h"
 #include "window_params_reader.h"
 #include "window_tracker.h"
@@ -31,14 +31,10 @@ using tws_msgs::OperatorRequest;
 using tws_runtime::Bus;
 using tws_runtime::Site;
 
-const char* const kRequestTopic = "tws/operator_requests";
-
 struct NodeParams {
   WindowParams tracker;
   std::string radar;
-  std::string frame = "map";       // of positions
-  bool recorded_requests = false;  // a replay: requests come from the recording, not from the operator
-  int request_delay = 8;           // [sectors]
+  std::string frame = "map";  // of positions
   tws_runtime::RadarInputs::Options inputs;
 };
 
@@ -49,8 +45,6 @@ NodeParams readNodeParams(Bus& bus) {
   reader.text("radar", params.radar);
   params.tracker = readWindowParams(reader);
   reader.text("frame", params.frame);
-  reader.flag("recorded_requests", params.recorded_requests);
-  reader.integer("request_delay_sectors", params.request_delay, 0, 64);
   reader.number("wait_limit_s", params.inputs.wait_limit, 0.0, 60.0);
   reader.number("restart_limit_s", params.inputs.restart_limit, 0.5, 3600.0);
   reader.done();
@@ -75,59 +69,50 @@ class WindowTrackerNode::Impl {
   explicit Impl(Bus& bus)
       : bus_(bus),
         params_(readNodeParams(bus)),
-        tracks_(bus.advertise<tws_msgs::Tracks>("tws/tracks")),
+        tracks_(bus, "tws/tracks", params_.frame),
         windows_(bus.advertise<tws_msgs::TrackWindows>("tws/windows")),
+        requests_(bus, params_.frame),
+        site_gate_(bus, params_.frame, kMostWaiting),
+        counts_(bus, {{"refused tracks", &WindowCounts::refused_tracks,
+                       "all " + std::to_string(params_.tracker.capacity - 1) + " track numbers are in use"},
+                      {"rejected plots", &WindowCounts::rejected_plots,
+                       "range, azimuth or time is no number, or range is not above 0"}}),
         inputs_(
             bus, {tws_runtime::usualTopics(params_.radar)}, params_.inputs,
             [this](std::size_t, tws::RadarSector sector) { onSector(std::move(sector)); },
-            [this](double) { begin(); }) {
-    if (params_.recorded_requests)
-      bus.subscribe<OperatorRequest>(kRequestTopic, [this](const auto& request) { repeat(request); });
-    else
-      hearOperator();
+            [this](double) {
+              requests_.beginNewRun();
+              begin();
+            }) {
+    bus_.subscribe<geometry_msgs::PointStamped>("/clicked_point", [this](const auto& point) { designate(point); });
+    bus_.serve<tws_msgs::DropTrack>("tws/drop_track",
+                                    [this](auto& request, auto& response) { return drop(request, response); });
     begin();
   }
 
  private:
   /// A new run: nothing of the old one stays, but for the site.
   void begin() {
-    waiting_.clear();
-    queue_.clear();
-    totals_ = WindowCounts{};
+    site_gate_.clear();
+    counts_.reset();
     processed_.reset();
     tracker_.emplace(params_.tracker, [this](const WindowReport& report) { publish(report); });
   }
 
-  void hearOperator() {
-    requests_ = bus_.advertise<OperatorRequest>(kRequestTopic);
-    bus_.subscribe<geometry_msgs::PointStamped>("/clicked_point", [this](const auto& point) { designate(point); });
-    bus_.serve<tws_msgs::DropTrack>("tws/drop_track",
-                                    [this](auto& request, auto& response) { return drop(request, response); });
+  void onSector(tws::RadarSector sector) {
+    site_gate_.add(inputs_.frame(0), std::move(sector), [this](const tws::RadarSector& ready) { process(ready); });
   }
 
-  /// Sectors wait until the site is known, so that what comes out does not depend on when it is told.
-  void onSector(tws::RadarSector sector) {
-    waiting_.push_back(std::move(sector));
-    if (!site_) site_ = tws_runtime::awaitSite(bus_, params_.frame, inputs_.frame(0), waiting_.size() <= kMostWaiting);
-    if (!site_) return;
-    while (!waiting_.empty()) {
-      processed_ = {waiting_.front().running, waiting_.front().leave_time};
-      tracker_->process(waiting_.front());
-      waiting_.pop_front();
-      queue_.release(processed_->running, [this](const auto& request) { obey(request); });
-    }
-    countTroubles();
+  void process(const tws::RadarSector& sector) {
+    site_ = site_gate_.site().value_or(Site{});
+    tracker_->process(sector);
+    processed_ = {params_.radar, sector.running, sector.leave_time};
+    repeatRequests();
+    counts_.add(tracker_->counts());
   }
 
   void publish(const WindowReport& report) {
-    tws_msgs::Tracks message;
-    message.header.stamp = tws_runtime::toTime(report.enter_time);
-    message.header.frame_id = params_.frame;
-    message.tracker = bus_.name();
-    message.radar = params_.radar;
-    message.running_sector = static_cast<std::uint32_t>(report.running);
-    message.sector = static_cast<std::uint8_t>(report.running % tws::kSectors);
-    message.sequence = sequence_++;
+    tws_msgs::Tracks message = tracks_.message(report.enter_time, params_.radar, report.running);
     tws_msgs::TrackWindows windows;
     windows.header.stamp = message.header.stamp;
     windows.header.frame_id = inputs_.frame(0);
@@ -135,7 +120,7 @@ class WindowTrackerNode::Impl {
     windows.radar = message.radar;
     windows.running_sector = message.running_sector;
     for (const WindowWord& word : report.words) {
-      message.tracks.push_back(trackMessage(*tracker_, word, *site_, params_.radar));
+      message.tracks.push_back(trackMessage(*tracker_, word, site_, params_.radar));
       windows.windows.push_back(windowMessage(word));
     }
     tracks_.publish(message);
@@ -154,102 +139,85 @@ class WindowTrackerNode::Impl {
     if (!here && !frame) return refuse("/clicked_point in frame '" + point.header.frame_id + "': " + why);
     const Eigen::Vector2d place = toFrame({point.point.x, point.point.y}, here ? Site{} : *frame);
     if (!place.allFinite()) return refuse("/clicked_point is no finite place");
-    OperatorRequest request = newRequest(OperatorRequest::INITIATE);
+    OperatorRequest request = requests_.blank(OperatorRequest::INITIATE);
     request.position.x = place.x();
     request.position.y = place.y();
-    ask(request);
+    execute(request);
   }
 
   bool drop(const tws_msgs::DropTrack::Request& asked, tws_msgs::DropTrack::Response& answer) {
-    answer.success = processed_.has_value();
-    if (!processed_) answer.message = "no sector was processed yet";
-    if (asked.numbers.empty()) ask(newRequest(OperatorRequest::DROP_ALL));
-    for (const std::uint32_t number : asked.numbers) {
-      if (tracker_->tracks().count(number) == 0) {
-        answer.success = false;
-        answer.message += (answer.message.empty() ? "unknown: " : ", ") + std::to_string(number);
-        continue;
-      }
-      OperatorRequest request = newRequest(OperatorRequest::DROP);
-      request.track = number;
-      ask(request);
+    std::vector<OperatorRequest> requests(
+        std::max<std::size_t>(asked.numbers.size(), 1),
+        requests_.blank(asked.numbers.empty() ? OperatorRequest::DROP_ALL : OperatorRequest::DROP));
+    answer.success = true;
+    for (std::size_t i = 0; i < requests.size(); ++i) {
+      if (!asked.numbers.empty()) requests[i].track = asked.numbers[i];
+      execute(requests[i]);
+      if (requests[i].result == OperatorRequest::OK) continue;
+      answer.message += (answer.success ? "" : "; ") + requests[i].message;
+      answer.success = false;
     }
     return true;
   }
 
-  OperatorRequest newRequest(std::uint8_t what) const {
-    OperatorRequest request;
-    request.header.frame_id = params_.frame;
-    request.tracker = bus_.name();
-    request.request = what;
-    request.radar = params_.radar;
-    request.lower = request.upper = std::numeric_limits<double>::quiet_NaN();
-    return request;
-  }
-
-  /// It takes effect a few sectors later, and is told at once: so a replay has it in time, wherever it comes in.
-  void ask(OperatorRequest request) {
-    if (!processed_) return refuse("no sector was processed yet");
-    request.header.stamp = tws_runtime::toTime(processed_->leave_time);
-    request.running_sector = static_cast<std::uint32_t>(processed_->running + params_.request_delay);
+  /// It takes effect at once, after the sector that was processed last, and is published with what came of it.
+  void execute(OperatorRequest& request) {
+    bus_.counter("requests").add();
+    request.message = processed_ ? apply(request) : "no sector was processed yet";
+    request.result = request.message.empty() ? OperatorRequest::OK : OperatorRequest::REFUSED;
+    if (!request.message.empty()) refuse(request.message);
+    if (!processed_) return;
+    requests_.stamp(request, *processed_);
     requests_.publish(request);
-    queue_.add(request, processed_->running);
-    bus_.counter("requests").add();
   }
 
-  void repeat(const OperatorRequest& request) {
-    if (request.tracker != bus_.name() || request.radar != params_.radar) return;
-    bus_.counter("requests").add();
-    if (!queue_.add(request, processed_ ? processed_->running : 0))
-      bus_.counter("late requests").add("sector " + std::to_string(request.running_sector) + " was processed already");
-  }
-
-  void obey(const OperatorRequest& request) {
-    switch (request.request) {
-      case OperatorRequest::INITIATE:
-        return start(fromSite(request.position.x, request.position.y, *site_));
-      case OperatorRequest::DROP:
-        if (!tracker_->cancel(request.track)) refuse("there is no track " + std::to_string(request.track));
-        return;
-      case OperatorRequest::DROP_ALL:
-        return tracker_->cancelAll();
-      default:
-        return refuse("request " + std::to_string(request.request) + " is not for this tracker");
+  void repeatRequests() {
+    const auto has_passed = [this](const std::string& radar, std::uint32_t running) {
+      return radar == processed_->radar &&
+             tws_runtime::hasReached(static_cast<std::uint32_t>(processed_->running_sector), running);
+    };
+    while (auto recorded = requests_.takeDue(has_passed)) {
+      OperatorRequest request = *recorded;
+      request.tracks.clear();
+      execute(request);
+      requests_.compare(*recorded, request);
     }
   }
 
-  void start(const Eigen::Vector2d& place) {
+  /// Why it cannot be carried out; empty: it was.
+  std::string apply(OperatorRequest& request) {
+    const std::string unknown = "there is no track " + std::to_string(request.track);
+    switch (request.request) {
+      case OperatorRequest::INITIATE:
+        return start(fromSite(request.position.x, request.position.y, site_), request);
+      case OperatorRequest::DROP:
+        return tracker_->cancel(request.track) ? "" : unknown;
+      case OperatorRequest::DROP_ALL:
+        tracker_->cancelAll();
+        return "";
+      default:
+        return "request " + std::to_string(request.request) + " is not for this tracker";
+    }
+  }
+
+  std::string start(const Eigen::Vector2d& place, OperatorRequest& request) {
     const double range = place.norm();
-    if (!(range > 0.0 && range < kFarthest)) return refuse("the marker stands on the radar, or nowhere");
-    tracker_->designate(range, tws::azimuthOf(place));
+    if (!(range > 0.0 && range < kFarthest)) return "the marker stands on the radar, or nowhere";
+    const auto number = tracker_->designate(range, tws::azimuthOf(place));
+    if (!number) return "all track numbers are in use";
+    request.tracks.push_back(*number);
+    return "";
   }
-
-  void countTroubles() {
-    const WindowCounts& now = tracker_->counts();
-    for (auto n = totals_.refused_tracks; n < now.refused_tracks; ++n)
-      bus_.counter("refused tracks")
-          .add("all " + std::to_string(params_.tracker.capacity - 1) + " track numbers are in use");
-    for (auto n = totals_.rejected_plots; n < now.rejected_plots; ++n)
-      bus_.counter("rejected plots").add("range, azimuth or time is no number, or range is not above 0");
-    totals_ = now;
-  }
-
-  struct Processed {
-    std::int64_t running;
-    double leave_time;  // [s]
-  };
 
   Bus& bus_;
   NodeParams params_;
-  tws_runtime::Publisher<tws_msgs::Tracks> tracks_;
+  tws_runtime::TrackWriter tracks_;
   tws_runtime::Publisher<tws_msgs::TrackWindows> windows_;
-  tws_runtime::Publisher<OperatorRequest> requests_;
-  std::deque<tws::RadarSector> waiting_;
-  std::optional<Site> site_;
-  std::optional<Processed> processed_;  // the latest sector
-  RequestQueue queue_;
-  std::uint32_t sequence_ = 0;
-  WindowCounts totals_;
+  tws_runtime::RequestLog requests_;
+  tws_runtime::SiteGate site_gate_;  // sectors wait for it
+  tws_runtime::CountReport<WindowCounts> counts_;
+  Site site_;
+  std::optional<tws_runtime::RequestLog::Moment> processed_;  // the latest sector
   std::optional<WindowTracker> tracker_;
   tws_runtime::RadarInputs inputs_;
 };

@@ -11,6 +11,7 @@
 #include <tws_runtime/conversions.h>
 #include <tws_runtime/local_graph.h>
 #include <tws_runtime/parameters.h>
+#include <tws_runtime/stray_stamps_test_helpers.h>
 
 #include <cmath>
 #include <limits>
@@ -42,10 +43,9 @@ class Scene {
     tws_runtime::Bus& bus = graph.addNode("outside");
     detections_ = bus.advertise<tws_msgs::Detections>("/sps12/detections");
     marks_ = bus.advertise<tws_msgs::SectorMark>("/sps12/sector_marks");
-    if (parameters.find("recorded_requests: true") == std::string::npos)
-      bus.subscribe<tws_msgs::OperatorRequest>("/tws/operator_requests", [this](const auto& m) { asked.push_back(m); });
-    else
-      recorded_ = bus.advertise<tws_msgs::OperatorRequest>("/tws/operator_requests");
+    bus.subscribe<tws_msgs::OperatorRequest>("window_tracker/operator_requests",
+                                             [this](const auto& m) { asked.push_back(m); });
+    recorded_ = bus.advertise<tws_msgs::OperatorRequest>("window_tracker/recorded_requests");
     clicks_ = bus.advertise<geometry_msgs::PointStamped>("/clicked_point");
     bus.subscribe<tws_msgs::Tracks>("/tws/tracks", [this](const auto& m) {
       tracks.push_back(m);
@@ -56,9 +56,10 @@ class Scene {
     placeRadar();
   }
 
-  void say(const tws::RadarSector& sector, std::uint32_t plots_before) {
-    const ros::Time leave = tws_runtime::toTime(sector.leave_time);
-    detections_.publish(tws_runtime::toDetections(sector, "sps12", "sps12"));
+  /// `off`: so far are the stamps of the sector's two messages off [s].
+  void say(const tws::RadarSector& sector, std::uint32_t plots_before, double off = 0.0) {
+    const ros::Time leave = tws_runtime::strayed(tws_runtime::toTime(sector.leave_time), off);
+    detections_.publish(tws_runtime::withStrayStamp(tws_runtime::toDetections(sector, "sps12", "sps12"), off));
     tws_msgs::SectorMark mark;
     mark.header.frame_id = mark.radar = "sps12";
     mark.header.stamp = leave;
@@ -219,13 +220,14 @@ TEST(WindowTrackerNode, DropsWhatTheOperatorCancels) {
   const std::uint32_t number = scene.last.begin()->second.number;
   const auto answer = scene.drop({number, 99});
   EXPECT_FALSE(answer.success);
-  EXPECT_EQ(answer.message, "unknown: 99");
-  EXPECT_EQ(scene.last.begin()->second.state, tws_msgs::Track::FIRM) << "it takes effect a few sectors later";
-  scene.say(sectors, 640, 660);
-  EXPECT_EQ(scene.last.begin()->second.state, tws_msgs::Track::DROPPED);
-  ASSERT_EQ(scene.asked.size(), 1U);
+  EXPECT_EQ(answer.message, "there is no track 99");
+  scene.say(sectors, 640, 642);
+  EXPECT_EQ(scene.last.begin()->second.state, tws_msgs::Track::DROPPED) << "it takes effect at once";
+  ASSERT_EQ(scene.asked.size(), 2U);
   EXPECT_EQ(scene.asked[0].request, tws_msgs::OperatorRequest::DROP);
-  scene.say(sectors, 660, 900);
+  EXPECT_EQ(scene.asked[0].result, tws_msgs::OperatorRequest::OK);
+  EXPECT_EQ(scene.asked[1].result, tws_msgs::OperatorRequest::REFUSED);
+  scene.say(sectors, 642, 900);
   EXPECT_TRUE(scene.drop({}).success);
   scene.say(sectors, 900);
   EXPECT_EQ(scene.asked.back().request, tws_msgs::OperatorRequest::DROP_ALL);
@@ -234,53 +236,38 @@ TEST(WindowTrackerNode, DropsWhatTheOperatorCancels) {
 /// A run with requests, and what was asked.
 struct Session {
   std::vector<std::string> bytes;
-  std::vector<std::pair<std::size_t, tws_msgs::OperatorRequest>> asked;  // after how many sectors
+  std::vector<tws_msgs::OperatorRequest> asked;
 };
 
 const std::vector<Flight> kTraffic{kAircraft, straight(-40000.0, 0.0, 200.0, 0.0), straight(0.0, -30000.0, 0.0, 90.0)};
 
 Session liveSession() {
   Scene scene(kManual);
-  Session session;
   const auto sectors = TestRadar::sectors(kTraffic, 15);
-  const auto note = [&](std::size_t after) {
-    while (session.asked.size() < scene.asked.size())
-      session.asked.emplace_back(after, scene.asked[session.asked.size()]);
-  };
-  std::size_t done = 0;
-  const auto flyTo = [&](std::size_t n) { scene.say(sectors, std::exchange(done, n), n); };
-  flyTo(100);
+  scene.say(sectors, 0, 100);
   for (const Flight& flight : kTraffic) scene.click(inMap(flight(9.0)).x(), inMap(flight(9.0)).y());
-  note(100);
-  flyTo(500);
+  scene.say(sectors, 100, 500);
   scene.drop({1});
-  note(500);
-  flyTo(sectors.size());
-  session.bytes = scene.bytes();
-  return session;
+  scene.say(sectors, 500);
+  return {scene.bytes(), scene.asked};
 }
 
 // If this fails, a recorded incident cannot be looked at again.
-TEST(WindowTrackerNode, RepeatsARunFromTheRecordedRequestsByteByByteHoweverTheyArrive) {
+TEST(WindowTrackerNode, RepeatsARunFromTheRecordedRequestsByteByByte) {
   const Session live = liveSession();
   ASSERT_EQ(live.asked.size(), 4U);
-  for (const std::size_t delay : {0U, 3U, 7U}) {
-    Scene replay("{radar: sps12, automatic: false, recorded_requests: true}");
-    const auto sectors = TestRadar::sectors(kTraffic, 15);
-    std::size_t done = 0;
-    for (const auto& [after, request] : live.asked) {
-      replay.say(sectors, done, after + delay);
-      done = after + delay;
-      replay.repeat(request);
-    }
-    replay.say(sectors, done);
-    EXPECT_EQ(replay.count("late requests"), 0U);
-    EXPECT_EQ(replay.bytes(), live.bytes) << delay;
-  }
+  Scene replay(kManual);
+  for (const auto& request : live.asked) replay.repeat(request);
+  replay.say(TestRadar::sectors(kTraffic, 15));
+  EXPECT_EQ(replay.bytes(), live.bytes);
+  ASSERT_EQ(replay.asked.size(), 4U);
+  for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(bytesOf(replay.asked[i]), bytesOf(live.asked[i])) << i;
+  EXPECT_EQ(replay.count("late recorded requests"), 0U);
+  EXPECT_EQ(replay.count("requests repeated with another effect"), 0U);
 }
 
 TEST(WindowTrackerNode, CountsRequestsThatComeTooLateOrMakeNoSense) {
-  Scene replay("{radar: sps12, recorded_requests: true}");
+  Scene replay;
   const auto sectors = TestRadar::sectors(kTraffic, 4);
   replay.say(sectors, 0, 200);
   tws_msgs::OperatorRequest request;
@@ -290,10 +277,10 @@ TEST(WindowTrackerNode, CountsRequestsThatComeTooLateOrMakeNoSense) {
   request.track = 77;
   request.running_sector = 100;
   replay.repeat(request);
-  request.tracker = "adit";  // not ours
+  request.radar = "other";
   replay.repeat(request);
   replay.say(sectors, 200);
-  EXPECT_EQ(replay.count("late requests"), 1U);
+  EXPECT_EQ(replay.count("late recorded requests"), 1U);
   EXPECT_EQ(replay.count("refused requests"), 1U);  // there is no track 77
 
   Scene scene;
@@ -303,6 +290,22 @@ TEST(WindowTrackerNode, CountsRequestsThatComeTooLateOrMakeNoSense) {
   scene.click(1000.0, 1000.0, "nowhere");
   EXPECT_EQ(scene.count("refused requests"), 3U);
   EXPECT_TRUE(scene.asked.empty());
+}
+
+// If this fails, a sector whose stamps were damaged on their way, in detections and mark alike, costs all tracks.
+TEST(WindowTrackerNode, StrayStampsLoseNoTrack) {
+  for (const double off : tws_runtime::kStrays) {
+    Scene scene;
+    const auto sectors = TestRadar::sectors({kAircraft}, 10);
+    scene.say(sectors, 0, 400);
+    scene.say(sectors[400], 0, off);
+    scene.say(sectors, 401);
+    EXPECT_GE(scene.tracks.size(), 639U) << off;
+    EXPECT_EQ(scene.count("new runs"), 0U);
+    EXPECT_EQ(scene.count("stray messages"), 2U);
+    EXPECT_EQ(scene.last.size(), 1U);
+    EXPECT_EQ(scene.last.begin()->second.state, tws_msgs::Track::FIRM);
+  }
 }
 
 // If this fails, a bag played twice shows the aircraft of the first time.

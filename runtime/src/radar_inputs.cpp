@@ -1,13 +1,13 @@
 #include <tws_runtime/radar_inputs.h>
 
-#include <tws_core/sectors.h>
 #include <tws_msgs/Detections.h>
 #include <tws_msgs/SectorMark.h>
 #include <tws_runtime/conversions.h>
+#include <tws_runtime/intake.h>
 
 #include <utility>
 
-#include "radar_joins.h"
+#include "sector_join.h"
 
 namespace tws_runtime {
 namespace {
@@ -26,38 +26,47 @@ class RadarInputs::Impl {
       : bus_(bus),
         radars_(radars),
         frames_(radars.size()),
-        joins_(radars.size(), {options.wait_limit, options.restart_limit},
-               events(std::move(on_sector), std::move(on_new_run))) {
+        on_sector_(std::move(on_sector)),
+        on_new_run_(std::move(on_new_run)),
+        intake_(bus, options.restart_limit, [this](double time) { beginNewRun(time); }) {
+    joins_.reserve(radars.size());
     for (std::size_t radar = 0; radar < radars.size(); ++radar) {
-      bus.subscribe<tws_msgs::Detections>(radars[radar].detections,
-                                          [this, radar](const auto& message) { hear(radar, message); });
-      bus.subscribe<tws_msgs::SectorMark>(radars[radar].sector_marks,
-                                          [this, radar](const auto& message) { hear(radar, message); });
+      joins_.emplace_back(SectorJoin::Options{options.wait_limit, options.restart_limit}, eventsOf(radar));
+      subscribe<tws_msgs::Detections>(radar, radars[radar].detections);
+      subscribe<tws_msgs::SectorMark>(radar, radars[radar].sector_marks);
     }
   }
 
   const std::string& frame(std::size_t radar) const { return frames_.at(radar); }
+  Intake& intake() { return intake_; }
 
  private:
-  RadarJoins::Events events(OnSector on_sector, OnNewRun on_new_run) {
-    RadarJoins::Events events;
-    events.sector = [this, on_sector = std::move(on_sector)](std::size_t radar, tws::RadarSector sector) {
-      bus_.counter("sectors").add();
-      bus_.counter("detections").add(sector.plots.size());
-      on_sector(radar, std::move(sector));
-    };
-    events.new_run = [this, on_new_run = std::move(on_new_run)](double time) {
-      bus_.counter("new runs").add("time has gone back to " + std::to_string(time) + " s");
-      on_new_run(time);
-    };
-    events.fault = [this](std::size_t radar, const std::string& counter, const std::string& reason) {
-      bus_.counter(counter).add(radars_[radar].radar + ": " + reason);
-    };
-    return events;
+  template <class M>
+  void subscribe(std::size_t radar, const std::string& topic) {
+    intake_.subscribe<M>({topic, radars_[radar].radar, StampOrder::kAny, sectorFault<M>},
+                         [this, radar](const M& message) {
+                           frames_[radar] = message.header.frame_id;
+                           add(radar, message);
+                         });
   }
 
-  void hear(std::size_t radar, const tws_msgs::Detections& message) {
-    if (!isGood(radar, radars_[radar].detections, message)) return;
+  SectorJoin::Events eventsOf(std::size_t radar) {
+    return {[this, radar](tws::RadarSector sector) {
+              bus_.counter("sectors").add();
+              bus_.counter("detections").add(sector.plots.size());
+              on_sector_(radar, std::move(sector));
+            },
+            [this, radar](const std::string& counter, const std::string& reason) {
+              bus_.counter(counter).add(radars_[radar].radar + ": " + reason);
+            }};
+  }
+
+  void beginNewRun(double time) {
+    for (SectorJoin& join : joins_) join.beginNewRun();
+    on_new_run_(time);
+  }
+
+  void add(std::size_t radar, const tws_msgs::Detections& message) {
     SectorDetections detections;
     detections.running = message.running_sector;
     detections.leave_time = toSeconds(message.header.stamp);
@@ -67,37 +76,20 @@ class RadarInputs::Impl {
       if (fault.empty())
         detections.plots.push_back(toPlot(detection));
       else
-        bus_.counter("bad detections")
-            .add(fault + " in " + radars_[radar].detections + " at " + std::to_string(detection.stamp.toSec()) + " s");
+        bus_.counter("bad detections").add(fault + whereText(radars_[radar].detections, detection.stamp));
     }
-    joins_.add(radar, std::move(detections));
+    joins_[radar].add(std::move(detections));
   }
 
-  void hear(std::size_t radar, const tws_msgs::SectorMark& message) {
-    if (isGood(radar, radars_[radar].sector_marks, message)) joins_.add(radar, crossingOf(message));
-  }
-
-  /// The message comes from this radar, and its sector and running number agree.
-  template <class M>
-  bool isGood(std::size_t radar, const std::string& topic, const M& message) {
-    std::string fault;
-    if (message.radar != radars_[radar].radar)
-      fault = "radar '" + message.radar + "', expected '" + radars_[radar].radar + "'";
-    else if (message.sector != message.running_sector % tws::kSectors)
-      fault =
-          "sector " + std::to_string(message.sector) + " with running number " + std::to_string(message.running_sector);
-    if (!fault.empty())
-      bus_.counter("bad messages")
-          .add(fault + " in " + topic + " at " + std::to_string(message.header.stamp.toSec()) + " s");
-    else
-      frames_[radar] = message.header.frame_id;
-    return fault.empty();
-  }
+  void add(std::size_t radar, const tws_msgs::SectorMark& message) { joins_[radar].add(crossingOf(message)); }
 
   Bus& bus_;
   std::vector<RadarTopics> radars_;
   std::vector<std::string> frames_;
-  RadarJoins joins_;
+  OnSector on_sector_;
+  OnNewRun on_new_run_;
+  std::vector<SectorJoin> joins_;
+  Intake intake_;
 };
 
 RadarInputs::RadarInputs(Bus& bus, const std::vector<RadarTopics>& radars, Options options, OnSector on_sector,
@@ -106,5 +98,6 @@ RadarInputs::RadarInputs(Bus& bus, const std::vector<RadarTopics>& radars, Optio
 RadarInputs::~RadarInputs() = default;
 
 const std::string& RadarInputs::frame(std::size_t radar) const { return impl_->frame(radar); }
+Intake& RadarInputs::intake() { return impl_->intake(); }
 
 }  // namespace tws_runtime

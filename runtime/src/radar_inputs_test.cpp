@@ -13,89 +13,117 @@
 #include <string>
 #include <vector>
 
-#include "radar_joins.h"
-
 namespace tws_runtime {
 namespace {
 
-SectorDetections detectionsOf(std::uint32_t sector, double sector_time) {
-  SectorDetections detections;
-  detections.running = sector;
-  detections.leave_time = sector_time * (sector + 1);
-  return detections;
-}
-
-SectorCrossing markOf(std::uint32_t entered, double sector_time) {
-  SectorCrossing mark;
-  mark.running = entered;
-  mark.time = sector_time * entered;
-  return mark;
-}
-
-/// Two radars with turns of 6 and 8 s and what comes of them.
-class RadarJoinsTest : public ::testing::Test {
+/// A graph with two radars, of turns of 6 and 8 s, and what comes of them.
+class TwoRadars : public ::testing::Test {
  protected:
   static constexpr double kSectorTimes[2] = {6.0 / 64.0, 8.0 / 64.0};
 
-  void send(std::size_t radar, std::uint32_t from, std::uint32_t to) {
-    for (std::uint32_t sector = from; sector <= to; ++sector) {
-      joins.add(radar, markOf(sector, kSectorTimes[radar]));
-      joins.add(radar, detectionsOf(sector, kSectorTimes[radar]));
-    }
+  template <class M>
+  static M messageOf(std::size_t radar, std::uint32_t running, double time) {
+    M message;
+    message.header.stamp = ros::Time(time);
+    message.radar = radar == 0 ? "a" : "b";
+    message.running_sector = running;
+    message.sector = static_cast<std::uint8_t>(running % 64);
+    return message;
   }
 
+  /// A sector's mark, then its detections; their stamps may be off.
+  void sendSector(std::size_t radar, std::uint32_t sector, double off = 0.0) {
+    const double enter = 1e5 + kSectorTimes[radar] * sector;
+    marks[radar].publish(messageOf<tws_msgs::SectorMark>(radar, sector, enter + off));
+    detections[radar].publish(messageOf<tws_msgs::Detections>(radar, sector, enter + kSectorTimes[radar] + off));
+    graph.drain();
+  }
+  void send(std::size_t radar, std::uint32_t from, std::uint32_t to) {
+    for (std::uint32_t sector = from; sector <= to; ++sector) sendSector(radar, sector);
+  }
+  /// Both radars from one time [s after the epoch] to another, in turns.
+  void sendBoth(double from, double to) {
+    std::uint32_t next[2];
+    for (const std::size_t i : {0u, 1u}) next[i] = static_cast<std::uint32_t>(std::ceil(from / kSectorTimes[i]));
+    for (;;) {
+      const double times[2] = {kSectorTimes[0] * next[0], kSectorTimes[1] * next[1]};
+      const std::size_t first = times[1] < times[0] ? 1 : 0;
+      if (times[first] >= to) return;
+      sendSector(first, next[first]++);
+    }
+  }
+  std::uint64_t count(const std::string& name) { return listener.counter(name).value(); }
+
+  std::ostringstream log;
+  LocalGraph graph{log};
+  Bus& radar = graph.addNode("radars");
+  Bus& listener = graph.addNode("tracker");
+  Publisher<tws_msgs::SectorMark> marks[2] = {radar.advertise<tws_msgs::SectorMark>("/a/sector_marks"),
+                                              radar.advertise<tws_msgs::SectorMark>("/b/sector_marks")};
+  Publisher<tws_msgs::Detections> detections[2] = {radar.advertise<tws_msgs::Detections>("/a/detections"),
+                                                   radar.advertise<tws_msgs::Detections>("/b/detections")};
   std::vector<std::int64_t> given[2];
   int new_runs = 0;
-  std::map<std::string, int> faults;
-  RadarJoins joins{
-      2, SectorJoin::Options(),
-      RadarJoins::Events{[this](std::size_t radar, tws::RadarSector sector) { given[radar].push_back(sector.running); },
-                         [this](double) {
-                           ++new_runs;
-                           given[0].clear();
-                           given[1].clear();
-                         },
-                         [this](std::size_t, const std::string& counter, const std::string&) { ++faults[counter]; }}};
+  RadarInputs inputs{listener,
+                     {usualTopics("a"), usualTopics("b")},
+                     RadarInputs::Options(),
+                     [this](std::size_t i, tws::RadarSector sector) { given[i].push_back(sector.running); },
+                     [this](double) {
+                       ++new_runs;
+                       given[0].clear();
+                       given[1].clear();
+                     }};
 };
 
 // If this fails, a new run begins once for each radar, or sectors of the old run enter the new one and stop it by their
 // times.
-TEST_F(RadarJoinsTest, ANewRunBeginsOnceForAllAndOldMessagesOfTheOthersAreDropped) {
-  send(0, 0, 400);
-  send(1, 0, 300);
-  send(0, 0, 10);
+TEST_F(TwoRadars, ANewRunBeginsOnceForAllAndOldMessagesOfTheOthersAreLeftOut) {
+  sendBoth(0.0, 40.0);
+  send(0, 0, 14);
   EXPECT_EQ(new_runs, 1);
-  send(1, 301, 303);  // Still on their way from the old run.
+  given[1].clear();
+  send(1, 321, 323);  // Still on their way from the old run.
   EXPECT_EQ(given[1].size(), 0u);
-  EXPECT_EQ(faults["messages of the old run"], 6);
   send(1, 0, 20);
   EXPECT_EQ(new_runs, 1);
-  EXPECT_EQ(given[0].size(), 10u);
+  EXPECT_EQ(given[0].size(), 14u);
   EXPECT_EQ(given[1].size(), 20u);
   EXPECT_EQ(given[1].front(), 0);
-  EXPECT_EQ(faults["stray messages"], 1);
 }
 
-TEST_F(RadarJoinsTest, TheNewRunMayBeginOnBothRadarsInTurns) {
-  send(0, 0, 400);
-  send(1, 0, 300);
-  for (std::uint32_t sector = 0; sector < 50; ++sector) {
-    send(0, sector, sector);
-    send(1, sector, sector);
+TEST_F(TwoRadars, ANewRunThatBeginsOnBothInTurnsLosesNothing) {
+  sendBoth(0.0, 40.0);
+  sendBoth(0.0, 5.0);
+  EXPECT_EQ(new_runs, 1);
+  EXPECT_EQ(given[0].size(), 53u);
+  EXPECT_EQ(given[1].size(), 39u);
+}
+
+// If this fails, a sector whose stamps were damaged on their way, or a radar with a clock of its own, ends all tracks.
+TEST_F(TwoRadars, ASectorWithBadStampsEndsNoRun) {
+  double time = 0.0;
+  for (const double off : {86400.0, -86400.0, 30.0, -30.0}) {
+    sendBoth(time, time + 10.0);
+    time += 10.0;
+    sendSector(0, static_cast<std::uint32_t>(time / kSectorTimes[0]), off);
   }
-  EXPECT_EQ(new_runs, 1);
-  EXPECT_EQ(given[0].size(), 49u);
-  EXPECT_EQ(given[1].size(), 49u);
+  sendBoth(time, time + 10.0);
+  EXPECT_EQ(new_runs, 0);
+  EXPECT_EQ(count("stray messages"), 8u);
+  EXPECT_EQ(count("gaps"), 0u);
+  EXPECT_EQ(given[0].size(), 533u);
+  EXPECT_EQ(given[1].size(), 399u);
 }
 
-// If this fails, a radar that had ended early in the old run, or comes late in the new one, is shut out of the new one.
-TEST_F(RadarJoinsTest, ARadarThatIsBehindInTheNewRunIsHeardAgain) {
-  send(0, 0, 1000);
-  send(1, 0, 100);
-  send(0, 0, 990);
-  send(1, 700, 720);
-  EXPECT_EQ(new_runs, 1);
-  EXPECT_EQ(given[1].size(), 20u);
+TEST_F(TwoRadars, OneRadarDoesNotDecideForTheOther) {
+  sendBoth(0.0, 40.0);
+  for (std::uint32_t i = 0; i < 200; ++i) {
+    sendSector(0, 430 + i, -86400.0);
+    sendSector(1, 320 + i);
+  }
+  EXPECT_EQ(new_runs, 0);
+  EXPECT_GT(given[1].size(), 510u);
+  EXPECT_NE(log.str().find("/a/sector_marks"), std::string::npos) << "it is named";
 }
 
 /// A graph with a radar "a" that this test plays, and a listener.
@@ -171,18 +199,20 @@ TEST_F(RadarInputsTest, ABadPlotIsNamedAndTheOthersOfItsSectorStay) {
 }
 
 TEST_F(RadarInputsTest, MessagesOfAnotherRadarOrWithAWrongSectorAreRefusedAndNamed) {
+  send(0);
   tws_msgs::Detections message;
+  message.header.stamp = ros::Time(0.25);
   message.radar = "b";
   detections_.publish(message);
   graph.drain();
-  EXPECT_EQ(log.str(), "tracker: bad messages (1): radar 'b', expected 'a' in a/detections at 0.000000 s\n");
+  EXPECT_EQ(log.str(), "tracker: bad messages (1): radar 'b', expected 'a' in a/detections at 0.250000 s\n");
   message.radar = "a";
   message.sector = 3;
   message.running_sector = 68;
   detections_.publish(message);
-  send(0);
+  send(1);
   EXPECT_EQ(count("bad messages"), 2u);
-  EXPECT_EQ(sectors.size(), 1u);
+  EXPECT_EQ(sectors.size(), 2u);
 }
 
 }  // namespace

@@ -10,7 +10,10 @@
 namespace tws_runtime {
 namespace {
 
-constexpr std::size_t kMostStrays = 8;
+constexpr std::size_t kMostStrays = 512;
+// A run goes on behind a gap when so many messages, over so long a time, agree.
+constexpr std::size_t kFewestAgreeing = 3;
+constexpr double kShortestAgreement = 1.0;  // [s]
 constexpr double kDoNotWait = -std::numeric_limits<double>::infinity();
 constexpr std::int64_t kMemory = std::int64_t{8} * tws::kSectors;  // Sectors behind for which losses are remembered.
 
@@ -34,11 +37,10 @@ std::int64_t sameSectorFrom(std::int64_t least, std::int64_t number) {
 
 }  // namespace
 
-SectorJoin::SectorJoin(Options options, Events events)
-    : options_(options), events_(std::move(events)), watch_(options.restart_limit) {}
+SectorJoin::SectorJoin(Options options, Events events) : options_(options), events_(std::move(events)) {}
 
 void SectorJoin::reset() {
-  watch_.clear();
+  pace_.clear();
   strays_.clear();
   started_ = false;
   detections_.clear();
@@ -48,48 +50,51 @@ void SectorJoin::reset() {
 }
 
 void SectorJoin::beginNewRun() {
-  std::deque<Message> newer;
-  for (Message& stray : strays_)
-    if (watch_.goesBack(crossingOf(stray))) newer.push_back(std::move(stray));
   reset();
   number_offset_ = 0;
   last_number_ = std::numeric_limits<std::int64_t>::min();
-  for (Message& message : newer) addMessage(std::move(message));
-}
-
-std::optional<double> SectorJoin::newestTime() const {
-  if (!watch_.newest()) return std::nullopt;
-  return watch_.newest()->time;
 }
 
 void SectorJoin::addMessage(Message message) {
   const Crossing crossing = crossingOf(message);
-  if (!watch_.fits(crossing)) return holdBack(std::move(message));
-  if (!watch_.newest()) first_time_ = crossing.time;
+  if (!pace_.fits(crossing)) return holdBack(std::move(message));
+  const auto is_of_its_kind = [&](const Message& stray) { return stray.index() == message.index(); };
+  if (!strays_.empty()) strays_.erase(std::remove_if(strays_.begin(), strays_.end(), is_of_its_kind), strays_.end());
+  if (!pace_.newest()) first_time_ = crossing.time;
   if (std::holds_alternative<SectorDetections>(message))
     store(crossing.running - 1, std::get<SectorDetections>(std::move(message)));
   else
     store(crossing.running, std::get<SectorCrossing>(message));
-  watch_.take(crossing);
+  pace_.add(crossing);
   release();
 }
 
 Crossing SectorJoin::crossingOf(const Message& message) const {
   if (const auto* detections = std::get_if<SectorDetections>(&message))
-    return {watch_.unwrapped(detections->running + 1), detections->leave_time};
+    return {pace_.unwrapped(detections->running + 1), detections->leave_time};
   const auto& mark = std::get<SectorCrossing>(message);
-  return {watch_.unwrapped(mark.running), mark.time};
+  return {pace_.unwrapped(mark.running), mark.time};
 }
 
 void SectorJoin::holdBack(Message message) {
-  const auto agrees = [&](const Message& stray) { return agree(stray, message); };
-  if (std::any_of(strays_.begin(), strays_.end(), agrees)) return goOnWith(message);
   const Crossing crossing = crossingOf(message);
   events_.fault("stray messages", "running sector " + std::to_string(crossing.running) + " at " +
                                       seconds(crossing.time) +
-                                      " does not fit the run; ignored unless another message agrees with it");
-  strays_.push_back(std::move(message));
+                                      " does not fit the run: held back until others agree with it");
+  std::deque<Message> agreeing = agreeingWith(message);
+  strays_.push_back(message);
   if (strays_.size() > kMostStrays) strays_.pop_front();
+  if (agreeing.size() + 1 < kFewestAgreeing) return;
+  if (crossing.time - crossingOf(agreeing.front()).time < kShortestAgreement) return;
+  agreeing.push_back(std::move(message));
+  continueWith(agreeing);
+}
+
+std::deque<SectorJoin::Message> SectorJoin::agreeingWith(const Message& message) const {
+  std::deque<Message> agreeing;
+  for (const Message& stray : strays_)
+    if (agree(stray, message)) agreeing.push_back(stray);
+  return agreeing;
 }
 
 /// Two different messages that fit into one run.
@@ -97,28 +102,17 @@ bool SectorJoin::agree(const Message& a, const Message& b) const {
   const Crossing first = crossingOf(a);
   const Crossing second = crossingOf(b);
   const bool same = a.index() == b.index() && first.running == second.running;
-  RunWatch both = watch_;
-  both.clear();
-  both.take(first);
-  return !same && both.fits(second) && !both.goesBack(second);
+  SectorPace both;
+  both.add(first);
+  return !same && both.fits(second);
 }
 
-void SectorJoin::goOnWith(const Message& message) {
-  const Crossing crossing = crossingOf(message);
-  std::deque<Message> agreeing;
-  for (const Message& stray : strays_)
-    if (agree(stray, message)) agreeing.push_back(stray);
-  if (watch_.goesBack(crossing)) {
-    strays_.clear();
-    beginNewRun();
-    events_.new_run(std::min(crossing.time, crossingOf(agreeing.front()).time));
-  } else {
-    events_.fault("gaps", "the sectors between " + seconds(watch_.newest()->time) + " and " + seconds(crossing.time));
-    while (started_ && releaseNext(kDoNotWait)) continue;
-    reset();
-  }
-  agreeing.push_back(message);
-  for (Message& each : agreeing) addMessage(std::move(each));
+void SectorJoin::continueWith(const std::deque<Message>& messages) {
+  events_.fault("gaps", "the sectors between " + seconds(pace_.newest()->time) + " and " +
+                            seconds(crossingOf(messages.front()).time));
+  while (started_ && releaseNext(kDoNotWait)) continue;
+  reset();
+  for (const Message& each : messages) addMessage(each);
 }
 
 void SectorJoin::store(std::int64_t sector, SectorDetections&& detections) {
@@ -141,7 +135,7 @@ void SectorJoin::refuse(std::set<std::int64_t>& lost, std::int64_t number, const
 /// The first release waits for one complete sector, or at most for the limit. Each stream by itself is taken to begin
 /// in order.
 bool SectorJoin::start() {
-  if (!hasComplete() && watch_.newest()->time - first_time_ <= options_.limit) return false;
+  if (!hasComplete() && pace_.newest()->time - first_time_ <= options_.limit) return false;
   first_ = next_ = earliestPending();
   enter_time_ = firstEnterTime();
   continueNumbers();
@@ -188,7 +182,7 @@ bool SectorJoin::releaseNext(double limit) {
   const std::optional<double> leave_time = leaveTime();
   if (!leave_time) return false;
   const bool complete = has_detections && has_mark;
-  if (!complete && watch_.newest()->time - *leave_time <= limit) return false;
+  if (!complete && pace_.newest()->time - *leave_time <= limit) return false;
   reportLosses(has_detections, has_mark ? &mark->second : nullptr, *leave_time);
   emit(*leave_time, has_detections ? &detections->second : nullptr);
   if (has_detections) detections_.erase(detections);

@@ -14,7 +14,7 @@
 #include <variant>
 #include <vector>
 
-#include "run_watch.h"
+#include "sector_pace.h"
 
 namespace tws_runtime {
 
@@ -41,18 +41,17 @@ struct SectorCrossing {
 /// replaced: no detections, or a crossing time from the other stream or in line with its neighbours. Gaps of up to
 /// eight turns are filled in this way. The sectors are the same for every order of arrival within the limit.
 ///
-/// A message whose time or running number does not fit the run is held back; when another one agrees with it, a new run
-/// begins there (time went back) or the run goes on behind the gap (time went on). So one mad stamp does no harm.
+/// A message whose running number does not fit its time is held back; when others of a second agree with it, the run
+/// goes on there, behind a gap. So one damaged message, or a detection and its mark together, does no harm. Stamps that
+/// are out of line must not come this far: see Intake.
 class SectorJoin {
  public:
   struct Options {
     double limit = 0.5;          ///< Longest wait for what is missing [s of data time], >= 0.
-    double restart_limit = 5.0;  ///< A time that goes back by more begins a new run [s], > 0.
+    double restart_limit = 5.0;  ///< Plots stamped further from their sector's time are bad [s], > 0.
   };
   struct Events {
     std::function<void(tws::RadarSector)> sector;
-    /// Time has gone back to this [s]; the sectors that follow begin anew.
-    std::function<void(double time)> new_run;
     /// Something was wrong: the counter's name and the reason in words.
     std::function<void(const std::string& counter, const std::string& reason)> fault;
   };
@@ -61,10 +60,8 @@ class SectorJoin {
 
   void add(SectorDetections detections) { addMessage(std::move(detections)); }
   void add(const SectorCrossing& mark) { addMessage(mark); }
-  /// Begins a new run without an event: with what was held back because its time goes back, else with the next message.
+  /// Forgets all: a new run begins with the next message.
   void beginNewRun();
-  /// Newest time of the run [s]; nothing before its first message.
-  std::optional<double> newestTime() const;
 
  private:
   using Message = std::variant<SectorDetections, SectorCrossing>;
@@ -72,7 +69,8 @@ class SectorJoin {
   void reset();
   void addMessage(Message message);
   void holdBack(Message message);
-  void goOnWith(const Message& message);
+  std::deque<Message> agreeingWith(const Message& message) const;
+  void continueWith(const std::deque<Message>& messages);
   bool agree(const Message& a, const Message& b) const;
   Crossing crossingOf(const Message& message) const;
 
@@ -96,8 +94,8 @@ class SectorJoin {
 
   Options options_;
   Events events_;
-  RunWatch watch_;
-  std::deque<Message> strays_;  ///< Held back, oldest first.
+  SectorPace pace_;
+  std::deque<Message> strays_;  ///< Held back, oldest first; since the latest one of their kind that fitted.
 
   bool started_ = false;
   double first_time_ = 0.0;                              ///< Of the run's first message.

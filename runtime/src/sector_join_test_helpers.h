@@ -57,14 +57,12 @@ inline double timeOf(const Message& message) {
 /// A join and what came out of it.
 struct Joined {
   std::vector<tws::RadarSector> sectors;
-  std::vector<double> new_runs;
   std::map<std::string, int> faults;
   std::vector<std::string> reasons;
   SectorJoin join{SectorJoin::Options(), events()};
 
   SectorJoin::Events events() {
     return {[this](tws::RadarSector sector) { sectors.push_back(std::move(sector)); },
-            [this](double time) { new_runs.push_back(time); },
             [this](const std::string& counter, const std::string& reason) {
               ++faults[counter];
               reasons.push_back(reason);

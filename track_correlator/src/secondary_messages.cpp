@@ -6,6 +6,7 @@
 #include <tws_core/angles.h>
 #include <tws_core/geometry.h>
 #include <tws_runtime/conversions.h>
+#include <tws_runtime/track_writer.h>
 
 namespace track_correlator {
 namespace {
@@ -48,40 +49,10 @@ std::uint8_t stateOf(const SecondaryWord& word) {
   return word.event == SecondaryEvent::kCoasted ? tws_msgs::Track::COASTING : tws_msgs::Track::FIRM;
 }
 
-void setMotion(tws_msgs::Track& message, const SecondaryTrack& track, const Site& site) {
+tws_runtime::PolarMotion motionOf(const SecondaryTrack& track) {
   const Eigen::Vector2d place = track.state.mean.head<2>(), velocity = track.state.mean.tail<2>();
   const tws::PolarRates rates = tws::polarRates({place.x(), place.y(), 0.0}, {velocity.x(), velocity.y(), 0.0});
-  message.range = place.norm();
-  message.azimuth = tws::azimuthOf(place);
-  message.range_rate = rates.range;
-  message.azimuth_rate = rates.azimuth;
-
-  const double height = track.height.value();
-  const bool high = !std::isnan(height) && message.range > std::abs(height - site.z);
-  const double ground = high ? tws::groundRange(message.range, height - site.z) : message.range;
-  const Eigen::Vector2d at = tws::planarFromPolar(ground, message.azimuth);
-  const Eigen::Vector2d v =
-      tws::planarVelocity(ground, message.azimuth, rates.range * message.range / ground, rates.azimuth);
-  const double c = std::cos(site.turn), s = std::sin(site.turn);
-  message.elevation = high ? std::asin((height - site.z) / message.range) : kUnknown;
-  message.position.x = site.x + c * at.x() - s * at.y();
-  message.position.y = site.y + s * at.x() + c * at.y();
-  message.position.z = high ? height : kUnknown;
-  message.velocity.x = c * v.x() - s * v.y();
-  message.velocity.y = s * v.x() + c * v.y();
-  message.velocity.z = kUnknown;
-  message.speed = v.norm();
-  message.course = message.speed > 0.0 ? tws::azimuthOf({message.velocity.x, message.velocity.y}) : kUnknown;
-}
-
-void setCovariance(tws_msgs::Track& message, const Eigen::Matrix4d& own, const Site& site) {
-  Eigen::Matrix2d turn;
-  turn << std::cos(site.turn), -std::sin(site.turn), std::sin(site.turn), std::cos(site.turn);
-  Eigen::Matrix4d both = Eigen::Matrix4d::Zero();
-  both.topLeftCorner<2, 2>() = both.bottomRightCorner<2, 2>() = turn;
-  const Eigen::Matrix4d turned = both * own * both.transpose();
-  for (int row = 0; row < 4; ++row)
-    for (int column = 0; column < 4; ++column) message.covariance.push_back(turned(row, column));
+  return {place.norm(), tws::azimuthOf(place), rates.range, rates.azimuth};
 }
 
 }  // namespace
@@ -98,16 +69,16 @@ SecondarySector sectorOf(const tws_msgs::SsrPlots& message, std::vector<std::str
   return sector;
 }
 
-tws_msgs::Track trackMessage(const SecondaryWord& word, const Site& site, const std::string& radar) {
+tws_msgs::Track trackMessage(const SecondaryWord& word, const Site& site, const tws::SeaLevel& sea,
+                             const std::string& radar) {
   const SecondaryTrack& track = word.track;
-  tws_msgs::Track message;
-  message.number = message.uid = track.uid;
+  tws_msgs::Track message = tws_runtime::blankTrack(track.uid, track.uid);
   message.state = stateOf(word);
   message.stamp = tws_runtime::toTime(track.time);
   message.first_detection = tws_runtime::toTime(track.first_time);
   message.last_update = tws_runtime::toTime(track.last_update);
-  setMotion(message, track, site);
-  setCovariance(message, track.state.covariance, site);
+  tws_runtime::setAtHeight(message, motionOf(track), track.height.value(), site, sea);
+  tws_runtime::setPlanarCovariance(message, track.state.covariance, site);
   message.detection_bits =
       word.event == SecondaryEvent::kUpdated ? std::uint16_t{tws_msgs::Track::DETECTED_BY_IFF} : std::uint16_t{0};
   message.radars = {radar};
@@ -117,8 +88,6 @@ tws_msgs::Track trackMessage(const SecondaryWord& word, const Site& site, const 
   message.mode_3a = track.mode_3a.value();
   message.aircraft_address = track.aircraft_address;
   message.callsign = track.callsign;
-  message.height = track.height.value();
-  message.height_sigma = kUnknown;
   return message;
 }
 

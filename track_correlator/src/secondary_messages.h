@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include <tws_core/sea_level.h>
 #include <tws_msgs/SsrPlots.h>
 #include <tws_msgs/Track.h>
 #include <tws_runtime/conversions.h>
@@ -17,8 +18,9 @@ using tws_runtime::Site;
 /// unknown; `faults` gets a line for each.
 SecondarySector sectorOf(const tws_msgs::SsrPlots& message, std::vector<std::string>& faults);
 
-/// What the tracker says of a track. With a known height the position lies at that height above a flat earth, without
-/// one the slant range is laid on the ground.
-tws_msgs::Track trackMessage(const SecondaryWord& word, const Site& site, const std::string& radar);
+/// What the tracker says of a track. With a known height the position lies at that height above the sea, without one
+/// the slant range is laid on the ground.
+tws_msgs::Track trackMessage(const SecondaryWord& word, const Site& site, const tws::SeaLevel& sea,
+                             const std::string& radar);
 
 }  // namespace track_correlator

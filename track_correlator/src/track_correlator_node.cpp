@@ -1,12 +1,13 @@
 #include <track_correlator/track_correlator_node.h>
 
-#include <tws_core/run_guard.h>
 #include <tws_core/sectors.h>
 #include <tws_core/time_order.h>
 #include <tws_msgs/CorrelatedTracks.h>
 #include <tws_msgs/SectorMark.h>
 #include <tws_msgs/Tracks.h>
 #include <tws_runtime/conversions.h>
+#include <tws_runtime/count_report.h>
+#include <tws_runtime/intake.h>
 
 #include <array>
 #include <optional>
@@ -59,15 +60,28 @@ class TrackCorrelatorNode::Impl {
   explicit Impl(Bus& bus)
       : bus_(bus),
         params_(readNodeParams(bus)),
-        guard_(3, params_.restart_limit),
         order_(3, params_.skew_limit),
-        out_(bus.advertise<tws_msgs::CorrelatedTracks>("correlated/tracks")) {
+        out_(bus.advertise<tws_msgs::CorrelatedTracks>("correlated/tracks")),
+        counts_(bus,
+                {{"initiated pairs", &CorrelatorCounts::initiated},
+                 {"partners taken over", &CorrelatorCounts::taken_over},
+                 {"released pairs", &CorrelatorCounts::released},
+                 {"cleared rows", &CorrelatorCounts::cleared},
+                 {"clusters", &CorrelatorCounts::clusters},
+                 {"silent tracks", &CorrelatorCounts::silent_tracks,
+                  "its tracker has stopped to update it, without a final update"},
+                 {"lost sector marks", &CorrelatorCounts::lost_marks, "a running number of the clock radar is missing"},
+                 {"stray sector marks", &CorrelatorCounts::stray_marks,
+                  "a running number of the clock radar is out of line"}}),
+        intake_(bus, params_.restart_limit, [this](double) { begin(); }) {
     begin();
     for (const std::size_t stream : {kPrimary, kSecondary})
-      bus.subscribe<tws_msgs::Tracks>(params_.tracks[stream],
-                                      [this, stream](const tws_msgs::Tracks& message) { hear(stream, message); });
-    bus.subscribe<tws_msgs::SectorMark>(params_.clock_radar + "/sector_marks",
-                                        [this](const tws_msgs::SectorMark& mark) { hear(mark); });
+      intake_.subscribe<tws_msgs::Tracks>(
+          {params_.tracks[stream]}, [this, stream](const tws_msgs::Tracks& message) { onTracks(stream, message); });
+    const std::string marks = params_.clock_radar + "/sector_marks";
+    intake_.subscribe<tws_msgs::SectorMark>(
+        {marks, params_.clock_radar, tws_runtime::StampOrder::kAny, tws_runtime::sectorFault<tws_msgs::SectorMark>},
+        [this, marks](const auto& mark) { queue(kMarks, marks, mark); });
   }
 
  private:
@@ -77,23 +91,14 @@ class TrackCorrelatorNode::Impl {
     order_.reset();
     stream_time_ = {};
     for (auto& tracks : latest_) tracks.clear();
-    totals_ = CorrelatorCounts{};
+    counts_.reset();
     correlator_.emplace(params_.correlator, [this](const CorrelatorReport& report) { publish(report); });
   }
 
-  void hear(std::size_t stream, const tws_msgs::Tracks& message) {
+  void onTracks(std::size_t stream, const tws_msgs::Tracks& message) {
     frame_ = stream == kPrimary || frame_.empty() ? message.header.frame_id : frame_;
     checkSequence(stream, message);
-    queue(stream, params_.tracks[stream], message.header.stamp, message);
-  }
-
-  void hear(const tws_msgs::SectorMark& mark) {
-    const std::string topic = params_.clock_radar + "/sector_marks";
-    if (mark.radar != params_.clock_radar || mark.sector != mark.running_sector % tws::kSectors)
-      bus_.counter("bad messages")
-          .add("radar '" + mark.radar + "', sector " + std::to_string(mark.sector) + " in " + topic);
-    else
-      queue(kMarks, topic, mark.header.stamp, mark);
+    queue(stream, params_.tracks[stream], message);
   }
 
   void checkSequence(std::size_t stream, const tws_msgs::Tracks& message) {
@@ -105,27 +110,18 @@ class TrackCorrelatorNode::Impl {
   }
 
   /// All inputs go on in order of time, whatever the order in which they arrive.
-  void queue(std::size_t stream, const std::string& topic, ros::Time stamp, Input input) {
-    const double time = tws_runtime::toSeconds(stamp);
-    const std::string where = " in " + topic + " at " + std::to_string(time) + " s";
-    const tws::RunGuard::Verdict verdict = guard_.judge(stream, time);
-    if (verdict == tws::RunGuard::Verdict::kMad || verdict == tws::RunGuard::Verdict::kOldRun) {
-      bus_.counter("stray messages").add("the stamp is out of line" + where);
-      return;
-    }
-    if (verdict == tws::RunGuard::Verdict::kNewRun) {
-      bus_.counter("new runs").add("time has gone back" + where);
-      begin();
-    }
+  template <class M>
+  void queue(std::size_t stream, const std::string& topic, const M& message) {
     // A tracker of several radars may step back a little from message to message.
     double& stream_time = stream_time_[stream];
-    stream_time = std::max(stream_time, time);
-    if (const auto late = order_.push(stream, stream_time, std::move(input))) {
-      bus_.counter("late messages").add("more than skew_limit_s behind the others" + where);
+    stream_time = std::max(stream_time, tws_runtime::toSeconds(message.header.stamp));
+    if (const auto late = order_.push(stream, stream_time, Input(message))) {
+      bus_.counter("late messages")
+          .add("more than skew_limit_s behind the others" + tws_runtime::whereText(topic, message.header.stamp));
       apply(stream, *late);  // A late update of a track is better than none.
     }
     while (auto next = order_.pop()) apply(next->stream, next->value);
-    countTroubles();
+    counts_.add(correlator_->counts());
   }
 
   void apply(std::size_t stream, const Input& input) {
@@ -188,35 +184,17 @@ class TrackCorrelatorNode::Impl {
     latest_ = std::move(kept);
   }
 
-  void countTroubles() {
-    const CorrelatorCounts& now = correlator_->counts();
-    const auto news = [&](std::uint64_t CorrelatorCounts::*member) { return now.*member - totals_.*member; };
-    bus_.counter("initiated pairs").add(news(&CorrelatorCounts::initiated));
-    bus_.counter("partners taken over").add(news(&CorrelatorCounts::taken_over));
-    bus_.counter("released pairs").add(news(&CorrelatorCounts::released));
-    bus_.counter("cleared rows").add(news(&CorrelatorCounts::cleared));
-    bus_.counter("clusters").add(news(&CorrelatorCounts::clusters));
-    const auto bad = [&](const char* name, std::uint64_t CorrelatorCounts::*member, const char* reason) {
-      for (auto n = news(member); n > 0; --n) bus_.counter(name).add(reason);
-    };
-    bad("silent tracks", &CorrelatorCounts::silent_tracks,
-        "its tracker speaks of it no more, and has said no last word");
-    bad("lost sector marks", &CorrelatorCounts::lost_marks, "a running number of the clock radar is missing");
-    bad("stray sector marks", &CorrelatorCounts::stray_marks, "a running number of the clock radar is out of line");
-    totals_ = now;
-  }
-
   Bus& bus_;
   NodeParams params_;
-  tws::RunGuard guard_;
   tws::TimeOrder<Input> order_;
   tws_runtime::Publisher<tws_msgs::CorrelatedTracks> out_;
   std::array<double, 3> stream_time_ = {};
   std::array<std::unordered_map<std::uint32_t, tws_msgs::Track>, 2> latest_;  // words by uid: primary, secondary
   std::array<std::optional<std::uint32_t>, 2> sequence_;
   std::string frame_;
-  CorrelatorCounts totals_;
+  tws_runtime::CountReport<CorrelatorCounts> counts_;
   std::optional<Correlator> correlator_;
+  tws_runtime::Intake intake_;
 };
 
 TrackCorrelatorNode::TrackCorrelatorNode(Bus& bus) : impl_(std::make_unique<Impl>(bus)) {}

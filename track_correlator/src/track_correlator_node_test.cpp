@@ -10,6 +10,7 @@
 #include <tws_runtime/defaults.h>
 #include <tws_runtime/local_graph.h>
 #include <tws_runtime/parameters.h>
+#include <tws_runtime/stray_stamps_test_helpers.h>
 
 #include <algorithm>
 #include <cmath>
@@ -227,6 +228,25 @@ TEST(TrackCorrelatorNode, CountsWhatIsBadAndLosesNothingElse) {
   EXPECT_EQ(graph.count("lost sector marks"), 2U);
   EXPECT_EQ(graph.count("new runs"), 0U);
   EXPECT_EQ(graph.tracks().back().fusion_count, 8U);
+}
+
+// If this fails, stamps that were damaged on their way, of all inputs of a sector together, cost the picture.
+TEST(TrackCorrelatorNode, StrayStampsLoseNoTrack) {
+  for (const double off : tws_runtime::kStrays) {
+    Graph graph;
+    std::vector<Arrival> arrivals = feed(8);
+    for (Arrival& a : arrivals) {
+      auto* mark = std::get_if<tws_msgs::SectorMark>(&a.message);
+      auto* tracks = std::get_if<tws_msgs::Tracks>(&a.message);
+      if (mark != nullptr && mark->running_sector == 300) *mark = tws_runtime::withStrayStamp(*mark, off);
+      if (tracks != nullptr && tracks->sequence == 300) *tracks = tws_runtime::withStrayStamp(*tracks, off);
+    }
+    graph.publish(arrivals);
+    EXPECT_EQ(graph.count("stray messages"), 3U) << off;
+    EXPECT_EQ(graph.count("new runs"), 0U);
+    EXPECT_EQ(graph.tracks().back().fusion_count, 8U);
+    EXPECT_EQ(graph.tracks().back().identity, 1U);
+  }
 }
 
 TEST(TrackCorrelatorNode, BeginsAnewWhenTimeGoesBack) {

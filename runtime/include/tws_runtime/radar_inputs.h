@@ -2,6 +2,7 @@
 
 #include <tws_core/plot.h>
 #include <tws_runtime/bus.h>
+#include <tws_runtime/intake.h>
 
 #include <cstddef>
 #include <functional>
@@ -23,9 +24,9 @@ RadarTopics usualTopics(const std::string& radar);
 /// Hears rotating radars and gives their complete sectors: of each radar every sector once and in order, whatever the
 /// order in which its two topics arrive; radars among each other in order of arrival (merge them with tws::TimeOrder).
 ///
-/// Nothing stalls it: what is lost is replaced (see SectorJoin). All that is wrong is counted: "bad detections", "bad
-/// messages", "lost detections", "lost sector marks", "late messages", "duplicate messages", "count mismatches", "stray
-/// messages", "gaps", "messages of the old run", "new runs".
+/// Nothing stalls it: what is lost is replaced (see SectorJoin). All that is wrong is counted: what Intake counts, and
+/// "bad detections", "lost detections", "lost sector marks", "late messages", "duplicate messages", "count mismatches",
+/// "stray messages", "gaps".
 class RadarInputs {
  public:
   struct Options {
@@ -33,7 +34,7 @@ class RadarInputs {
     double restart_limit = 5.0;  ///< Time that goes back by more begins a new run [s], > 0.
   };
   using OnSector = std::function<void(std::size_t radar, tws::RadarSector sector)>;
-  /// Time has gone back to this [s], for all radars: forget the old run. What still arrives of it is dropped.
+  /// Time has gone back to this [s], for all radars: forget the old run.
   using OnNewRun = std::function<void(double time)>;
 
   RadarInputs(Bus& bus, const std::vector<RadarTopics>& radars, Options options, OnSector on_sector,
@@ -42,6 +43,8 @@ class RadarInputs {
 
   /// The frame of a radar's site as its latest message says it; empty before the first one.
   const std::string& frame(std::size_t radar) const;
+  /// For further topics of the same run, which the radars then decide on, too.
+  Intake& intake();
 
  private:
   class Impl;

@@ -1,4 +1,4 @@
-#include "run_watch.h"
+#include "sector_pace.h"
 
 #include <cmath>
 
@@ -14,22 +14,18 @@ constexpr double kLongestTurn = 60.0;  // [s]
 
 }  // namespace
 
-bool RunWatch::fits(const Crossing& crossing) const {
+bool SectorPace::fits(const Crossing& crossing) const {
   if (!newest_) return true;
-  if (goesBack(crossing)) return false;
   const std::int64_t sectors = crossing.running - newest_->running;
   if (std::abs(sectors) > kLongestGap) return false;
-  if (sector_time_ <= 0.0) return std::abs(sectors) <= tws::kSectors && crossing.time - newest_->time < kLongestTurn;
+  if (sector_time_ <= 0.0)
+    return std::abs(sectors) <= tws::kSectors && std::abs(crossing.time - newest_->time) < kLongestTurn;
   const double expected = (crossing.time - newest_->time) / sector_time_;
   const double tolerance = 4.0 + 0.1 * std::abs(expected);  // Wind, and time in coarse ticks.
   return std::abs(static_cast<double>(sectors) - expected) <= tolerance;
 }
 
-bool RunWatch::goesBack(const Crossing& crossing) const {
-  return newest_ && crossing.time < newest_->time - restart_limit_;
-}
-
-void RunWatch::take(const Crossing& crossing) {
+void SectorPace::add(const Crossing& crossing) {
   if (!newest_) {
     newest_ = crossing;
     return;
@@ -42,7 +38,7 @@ void RunWatch::take(const Crossing& crossing) {
   newest_ = crossing;
 }
 
-std::int64_t RunWatch::unwrapped(std::uint32_t running) const {
+std::int64_t SectorPace::unwrapped(std::uint32_t running) const {
   if (!newest_) return running;
   const auto step = static_cast<std::int32_t>(running - static_cast<std::uint32_t>(newest_->running));
   return newest_->running + step;

@@ -1,0 +1,125 @@
+#include <tws_runtime/intake.h>
+
+#include <gtest/gtest.h>
+#include <tws_msgs/SectorMark.h>
+#include <tws_msgs/Tracks.h>
+#include <tws_runtime/local_graph.h>
+
+#include <sstream>
+#include <vector>
+
+namespace tws_runtime {
+namespace {
+
+constexpr double kDay = 86400.0;
+
+class IntakeTest : public ::testing::Test {
+ protected:
+  IntakeTest() {
+    intake.subscribe<tws_msgs::SectorMark>({"/a/sector_marks", "a", StampOrder::kNotBackward},
+                                           [this](const auto& mark) { marks.push_back(mark.header.stamp.toSec()); });
+    intake.subscribe<tws_msgs::Tracks>({"/b/tracks"},
+                                       [this](const auto& m) { tracks.push_back(m.header.stamp.toSec()); });
+  }
+
+  void sendMark(double time, const std::string& radar = "a") {
+    tws_msgs::SectorMark mark;
+    mark.header.stamp = ros::Time(time);
+    mark.radar = radar;
+    mark_topic.publish(mark);
+    graph.drain();
+  }
+  void sendTracks(double time) {
+    tws_msgs::Tracks message;
+    message.header.stamp = ros::Time(time);
+    track_topic.publish(message);
+    graph.drain();
+  }
+  std::uint64_t count(const std::string& name) { return node.counter(name).value(); }
+
+  std::ostringstream log;
+  LocalGraph graph{log};
+  Bus& node = graph.addNode("tracker");
+  Publisher<tws_msgs::SectorMark> mark_topic = node.advertise<tws_msgs::SectorMark>("/a/sector_marks");
+  Publisher<tws_msgs::Tracks> track_topic = node.advertise<tws_msgs::Tracks>("/b/tracks");
+  std::vector<double> marks, tracks, new_runs;
+  Intake intake{node, 5.0, [this](double time) {
+                  new_runs.push_back(time);
+                  marks.clear();
+                  tracks.clear();
+                }};
+};
+
+// If this fails, one damaged message ends all tracks of a node.
+TEST_F(IntakeTest, AStrayStampIsLeftOutAndNamed) {
+  for (const double off : {kDay, -kDay, 10.0, -10.0}) {
+    marks.clear();
+    sendMark(2 * kDay);
+    sendTracks(2 * kDay);
+    sendMark(2 * kDay + off);
+    sendTracks(2 * kDay + off);
+    sendMark(2 * kDay);
+    EXPECT_EQ(marks.size(), 2u) << off;
+  }
+  EXPECT_TRUE(new_runs.empty());
+  EXPECT_EQ(count("stray messages"), 8u);
+  EXPECT_NE(log.str().find("the stamp is out of line: held back until others agree with it in /a/sector_marks at "
+                           "259200.000000 s"),
+            std::string::npos)
+      << log.str();
+}
+
+// If this fails, a bag that is played again shows the tracks of the first time, or loses its first second.
+TEST_F(IntakeTest, ANewRunLosesNothing) {
+  for (int i = 0; i < 20; ++i) sendMark(100.0 + 0.1 * i);
+  for (int i = 0; i < 20; ++i) {
+    sendMark(1.0 + 0.1 * i);
+    sendTracks(1.0 + 0.1 * i);
+  }
+  ASSERT_EQ(new_runs.size(), 1u);
+  EXPECT_EQ(new_runs[0], 1.0);
+  EXPECT_EQ(marks.size(), 20u);
+  EXPECT_EQ(tracks.size(), 20u);
+  EXPECT_EQ(count("new runs"), 1u);
+}
+
+TEST_F(IntakeTest, APauseIsNoNewRun) {
+  sendMark(100.0);
+  for (int i = 0; i < 20; ++i) sendMark(1000.0 + 0.1 * i);
+  EXPECT_TRUE(new_runs.empty());
+  EXPECT_EQ(marks.size(), 21u);
+  EXPECT_EQ(count("pauses"), 1u);
+}
+
+TEST_F(IntakeTest, LateMessagesAreCountedWhereOrderMatters) {
+  sendMark(100.0);
+  sendMark(99.0);
+  sendTracks(99.0);
+  sendTracks(98.0);
+  EXPECT_EQ(marks.size(), 1u);
+  EXPECT_EQ(tracks.size(), 2u);
+  EXPECT_EQ(count("late messages"), 1u);
+}
+
+// If this fails, a radar under a remapped topic is refused, or a stray message of another one is taken for its own.
+TEST_F(IntakeTest, TheNameThatThePublisherUsesCounts) {
+  EXPECT_EQ(intake.radarOf("/a/sector_marks"), "a");
+  sendMark(100.0, "myradar");
+  sendMark(100.1, "other");
+  sendMark(100.2, "myradar");
+  EXPECT_EQ(marks.size(), 2u);
+  EXPECT_EQ(intake.radarOf("/a/sector_marks"), "myradar");
+  EXPECT_EQ(count("bad messages"), 1u);
+  EXPECT_EQ(log.str(),
+            "tracker: bad messages (1): radar 'other', expected 'myradar' in /a/sector_marks at 100.100000 s\n");
+}
+
+TEST_F(IntakeTest, AStrayFirstNameIsGotOver) {
+  sendMark(100.0, "other");
+  for (int i = 1; i < 10; ++i) sendMark(100.0 + 0.1 * i);
+  EXPECT_EQ(count("bad messages"), 2u);
+  EXPECT_EQ(marks.size(), 8u);
+}
+
+}  // namespace
+}  // namespace tws_runtime
