@@ -9,8 +9,8 @@
 
 namespace tws_launch {
 
-/// What operators asked of the ADIT tracker in a recorded run: all of it is handed over at the beginning, so that the
-/// tracker can repeat each request where it took effect.
+/// What operators asked of the trackers in a recorded run (tws_runtime::RequestLog): all of it is handed over at the
+/// beginning, so that each tracker can repeat its requests where they took effect.
 class RecordedRequests : public tws_runtime::Source {
  public:
   /// Throws std::runtime_error when the bag cannot be read.
@@ -22,8 +22,11 @@ class RecordedRequests : public tws_runtime::Source {
  private:
   RecordedRequests(tws_runtime::Bus& bus, const std::string& bag);
 
-  tws_runtime::Publisher<tws_msgs::OperatorRequest> publisher_;
-  std::vector<tws_msgs::OperatorRequest::ConstPtr> requests_;
+  struct Recorded {
+    tws_runtime::Publisher<tws_msgs::OperatorRequest> to;
+    std::vector<tws_msgs::OperatorRequest::ConstPtr> requests;
+  };
+  std::vector<Recorded> trackers_;
   std::optional<ros::Time> begin_;  // of the bag; nothing: there are no more
 };
 

@@ -75,12 +75,12 @@ class OperatorTest(unittest.TestCase):
             different = [i for i in range(length) if lives[i] != others[i]]
             self.assertFalse(different,
                              f"{run}, {topic}: {len(different)} of {length} messages differ, the first is number {different[:1]}")
-        self.assertEqual(len(tracks(bag, "/tws/operator_requests")), 3, run)
+        self.assertEqual(len(tracks(bag, "/window_tracker/operator_requests")), 3, run)
 
     def test_the_requests_take_effect(self):
         self.assertTrue(self.answer.success, self.answer.message)
         with rosbag.Bag(str(self.live)) as bag:
-            requests = [m for _, m, _ in bag.read_messages(["/tws/operator_requests"])]
+            requests = [m for _, m, _ in bag.read_messages(["/window_tracker/operator_requests"])]
             designated = {w.uid for _, m, _ in bag.read_messages(["/tws/windows"]) for w in m.windows if w.designated}
             dropped = {t.number for _, m, _ in bag.read_messages(["/tws/tracks"]) for t in m.tracks if t.state == t.DROPPED}
         self.assertEqual([r.request for r in requests], [OperatorRequest.INITIATE] * 2 + [OperatorRequest.DROP])

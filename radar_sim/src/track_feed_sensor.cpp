@@ -38,21 +38,22 @@ std::unique_ptr<Sensor> TrackFeedSpec::make(const Scene& scene) const {
 }
 
 TrackFeedSensor::TrackFeedSensor(const TrackFeedSpec& spec, const Scene& scene)
-    : Sensor(spec), targets_(scene.targets), clock_(rotatingRadar(spec.params.clock_radar, scene)) {
+    : Sensor(spec),
+      targets_(scene.targets),
+      sea_(scene.scenario.origin),
+      clock_(rotatingRadar(spec.params.clock_radar, scene)) {
   for (const FeedKind kind : {FeedKind::kPrimary, FeedKind::kSecondary})
     feeds_.push_back({TrackFeed(kind, spec.params, clock_.mapToSite(), scene.targets, scene.scenario.seed)});
 }
 
 void TrackFeedSensor::connect(SensorPort& port) {
-  for (Feed& feed : feeds_)
-    feed.topic = port.advertiseAs<tws_msgs::Tracks>(nameOf(feed.tracks.kind()) + "/tracks");
+  for (Feed& feed : feeds_) feed.topic = port.advertiseAs<tws_msgs::Tracks>(nameOf(feed.tracks.kind()) + "/tracks");
   clock_.onSector([this](const tws::RadarSector& sector) { publish(sector); });
 }
 
 void TrackFeedSensor::publish(const tws::RadarSector& sector) {
   for (Feed& feed : feeds_) {
-    tws_msgs::Tracks message =
-        toTracks(feed.tracks, feed.tracks.tracksOf(sector), sector, targets_, clock_.params().antenna_height);
+    tws_msgs::Tracks message = toTracks(feed.tracks, feed.tracks.tracksOf(sector), sector, targets_, sea_);
     message.sequence = feed.sequence++;
     feed.topic.publish(message);
   }

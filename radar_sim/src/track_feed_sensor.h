@@ -4,6 +4,7 @@
 #include <vector>
 
 #include <tws_core/plot.h>
+#include <tws_core/sea_level.h>
 #include <tws_msgs/Tracks.h>
 #include <tws_runtime/bus.h>
 
@@ -44,6 +45,7 @@ class TrackFeedSensor : public Sensor {
   void publish(const tws::RadarSector& sector);
 
   const std::vector<Target>& targets_;
+  tws::SeaLevel sea_;  // under the map
   RotatingSensor& clock_;
   std::vector<Feed> feeds_;
 };

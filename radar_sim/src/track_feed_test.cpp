@@ -121,7 +121,7 @@ TEST(TrackFeed, MessagesSayPrimaryTracksWithoutAndSecondaryTracksWithHeightAndCo
     sector.sector = 8;
     sector.running = 72;
     sector.enter_time = 1006.75;
-    const tws_msgs::Tracks message = toTracks(feed, words(kind, targets, 1), sector, targets, 0.0);
+    const tws_msgs::Tracks message = toTracks(feed, words(kind, targets, 1), sector, targets, tws::SeaLevel());
     EXPECT_EQ(message.header.stamp, ros::Time(1006, 750000000));
     EXPECT_EQ(message.radar, "sps12");
     EXPECT_EQ(message.running_sector, 72u);

@@ -30,7 +30,7 @@ class Scene:
         self.sites = rospy.Publisher("/tf_static", TFMessage, queue_size=1, latch=True)
         self.heard, self.requests, self.next, self.plots = [], [], 0, 0
         rospy.Subscriber("/tws/tracks", Tracks, self.heard.append)
-        rospy.Subscriber("/tws/operator_requests", OperatorRequest, self.requests.append)
+        rospy.Subscriber("/window_tracker/operator_requests", OperatorRequest, self.requests.append)
         site = TransformStamped()
         site.header.frame_id, site.child_frame_id, site.transform.rotation.w = "map", "test", 1.0
         self.sites.publish(TFMessage([site]))

@@ -8,6 +8,7 @@
 #include <tws_msgs/Tracks.h>
 #include <tws_msgs/Truth.h>
 #include <tws_runtime/conversions.h>
+#include <tws_runtime/intake.h>
 
 #include <cmath>
 #include <map>
@@ -28,14 +29,16 @@ class EvaluationNode::Impl {
       : bus_(bus),
         params_(readEvaluationParams(bus)),
         summary_(bus.advertise<tws_msgs::EvaluationSummary>("~summary", true)),
-        timing_(bus.advertise<tws_msgs::EvaluationSummary>("~timing", true)) {
+        timing_(bus.advertise<tws_msgs::EvaluationSummary>("~timing", true)),
+        intake_(bus, params_.restart_limit, [this](double) { begin(); }) {
     begin();
     listen<tws_msgs::Truth>({"truth", ""});
     for (const std::string& tracker : params_.trackers) listen<tws_msgs::Tracks>({tracker + "/tracks", tracker});
     for (const std::string& correlator : params_.correlators)
       listen<tws_msgs::CorrelatedTracks>({correlator + "/tracks", correlator});
-    for (const std::string& radar : params_.radars) listen<tws_msgs::Detections>({radar + "/detections", radar});
-    for (const std::string& radar : params_.secondary_radars) listen<tws_msgs::SsrPlots>({radar + "/plots", radar});
+    for (const std::string& radar : params_.radars) listen<tws_msgs::Detections>({radar + "/detections", radar}, radar);
+    for (const std::string& radar : params_.secondary_radars)
+      listen<tws_msgs::SsrPlots>({radar + "/plots", radar}, radar);
     bus.everyData(params_.period, [this](ros::Time now) { publish(now); });
   }
 
@@ -71,21 +74,15 @@ class EvaluationNode::Impl {
   SeriesFile files;
 
  private:
-  struct Clock {
-    double newest;  // stamp [s]
-    unsigned run;   // the run that it belongs to
-  };
-
   struct Input {
     std::string topic;
     std::string name;  // of the tracker, correlator or radar; empty: of the truth
   };
 
+  /// `radar`: the name that the messages should bear; empty: it does not matter.
   template <class M>
-  void listen(const Input& input) {
-    bus_.subscribe<M>(input.topic, [this, input](const M& message) {
-      if (fits(input.topic, message.header.stamp)) take(input, message);
-    });
+  void listen(const Input& input, const std::string& radar = "") {
+    intake_.subscribe<M>({input.topic, radar}, [this, input](const M& message) { take(input, message); });
   }
 
   void begin() {
@@ -101,25 +98,6 @@ class EvaluationNode::Impl {
           });
     }
     identified_plots = 0;
-  }
-
-  /// Time that goes back by more than a limit begins a new run; what still arrives of the old one is dropped.
-  bool fits(const std::string& topic, ros::Time stamp) {
-    const double time = toSeconds(stamp);
-    Clock& clock = clocks_.try_emplace(topic, Clock{time, run_}).first->second;
-    const bool went_back = time < clock.newest - params_.restart_limit;
-    if (went_back && clock.run == run_) {
-      bus_.counter("new runs").add(topic + " went back to " + std::to_string(time) + " s; all counts begin anew");
-      begin();
-      ++run_;
-      run_newest_ = time;
-    } else if (!went_back && clock.run != run_ && time > run_newest_ + params_.restart_limit) {
-      bus_.counter("messages of the old run").add(topic + " has not gone back yet");
-      return false;
-    }
-    clock = {clock.run == run_ ? std::max(clock.newest, time) : time, run_};
-    run_newest_ = std::max(run_newest_, time);
-    return true;
   }
 
   void take(const Input& input, const tws_msgs::Truth& message) {
@@ -158,9 +136,9 @@ class EvaluationNode::Impl {
           .add(input.topic + " came more than " + std::to_string(params_.skew_limit) + " s after the truth");
   }
 
-  void take(const Input&, const tws_msgs::Detections& message) {
+  void take(const Input& input, const tws_msgs::Detections& message) {
     for (auto& [name, tracker] : trackers_)
-      tracker.timing.addPlots(message.radar, toSeconds(bus_.now()), toSeconds(message.header.stamp),
+      tracker.timing.addPlots(input.name, toSeconds(bus_.now()), toSeconds(message.header.stamp),
                               message.detections.size());
   }
 
@@ -213,9 +191,7 @@ class EvaluationNode::Impl {
   EvaluationParams params_;
   tws_runtime::Publisher<tws_msgs::EvaluationSummary> summary_, timing_;
   std::map<std::string, TrackerEvaluation> trackers_;
-  std::map<std::string, Clock> clocks_;  // of each topic
-  unsigned run_ = 0;
-  double run_newest_ = 0.0;  // stamp [s]
+  tws_runtime::Intake intake_;
 };
 
 EvaluationNode::EvaluationNode(tws_runtime::Bus& bus) : impl_(std::make_unique<Impl>(bus)) {}

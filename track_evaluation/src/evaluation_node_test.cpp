@@ -7,6 +7,7 @@
 #include <tws_runtime/defaults.h>
 #include <tws_runtime/local_graph.h>
 #include <tws_runtime/parameters.h>
+#include <tws_runtime/stray_stamps_test_helpers.h>
 
 #include <cmath>
 #include <map>
@@ -160,15 +161,32 @@ TEST(EvaluationNode, TimeThatGoesBackBeginsANewRunAndTheRestOfTheOldOneIsDropped
     graph.truth(time, {aircraft(1, 0, 0)});
     graph.tracks(time, {});
   }
-  graph.truth(1.0, {aircraft(1, 0, 0)});
+  for (double time = 1.0; time < 4.0; time += 1.0) graph.truth(time, {aircraft(1, 0, 0)});
   graph.tracks(110.0, {firmTrack(7, 110.0, 0, 0)});
   graph.tracks(1.5, {firmTrack(5, 1.5, 0, 0)});
-  graph.truth(2.0, {aircraft(1, 0, 0)});
   EXPECT_EQ(graph.counted("new runs"), 1U);
-  EXPECT_EQ(graph.counted("messages of the old run"), 1U);
   const YAML::Node metrics = graph.score()["metrics"];
-  EXPECT_EQ(metrics["epochs"].as<double>(), 2.0);
-  EXPECT_EQ(metrics["completeness"].as<double>(), 0.5);
+  EXPECT_EQ(metrics["epochs"].as<double>(), 3.0) << "none of the new run is lost";
+  EXPECT_NEAR(metrics["completeness"].as<double>(), 2.0 / 3.0, 1e-6);
+}
+
+// If this fails, one stamp that was damaged on its way wipes the score of a run.
+TEST(EvaluationNode, StrayStampsEndNoRun) {
+  Graph graph;
+  for (int second = 0; second < 40; ++second) {
+    const double time = 100.0 + second;
+    graph.tracks(time, {firmTrack(5, time, 0, 0)});
+    graph.truth(time, {aircraft(1, 0, 0)});
+    if (second % 10 != 5) continue;
+    const double stray = tws_runtime::strayed(ros::Time(time), tws_runtime::kStrays[second / 10]).toSec();
+    graph.tracks(stray, {});
+    graph.truth(stray, {});
+  }
+  EXPECT_EQ(graph.counted("new runs"), 0U);
+  EXPECT_EQ(graph.counted("stray messages"), 8U);
+  const YAML::Node metrics = graph.score()["metrics"];
+  EXPECT_EQ(metrics["epochs"].as<double>(), 40.0);
+  EXPECT_EQ(metrics["completeness"].as<double>(), 1.0);
 }
 
 TEST(EvaluationNode, ScoresByIdentityWithoutTruth) {

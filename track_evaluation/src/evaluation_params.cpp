@@ -1,6 +1,7 @@
 #include "evaluation_params.h"
 
 #include <tws_runtime/parameters.h>
+#include <tws_runtime/track_writer.h>
 
 #include <algorithm>
 
@@ -66,6 +67,7 @@ EvaluationParams readEvaluationParams(const tws_runtime::Bus& bus) {
   reader.number("long_gap_s", params.identity.long_gap, 0.1, 1e5);
   readMonitors(reader, params.identity);
   if (reader.has("profiles")) params.profiles = readProfiles(reader);
+  params.filter.sea = tws_runtime::readOrigin(reader);
   reader.done();
   return params;
 }

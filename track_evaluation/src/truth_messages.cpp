@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include <tws_core/geodesy.h>
-
 namespace track_evaluation {
 namespace {
 
@@ -29,7 +27,7 @@ bool inCover(const tws_msgs::TruthTarget& target, const std::vector<bool>& cover
   return chances.empty();
 }
 
-TruthState stateOf(const tws_msgs::TruthTarget& target, const Eigen::Vector3d& site) {
+TruthState stateOf(const tws_msgs::TruthTarget& target, const Eigen::Vector3d& site, const tws::SeaLevel& sea) {
   const Eigen::Vector3d position(target.position.x, target.position.y, target.position.z);
   const Eigen::Vector3d velocity(target.velocity.x, target.velocity.y, target.velocity.z);
   TruthState truth;
@@ -37,7 +35,7 @@ TruthState stateOf(const tws_msgs::TruthTarget& target, const Eigen::Vector3d& s
   truth.ground = {position.head<2>(), velocity.head<2>()};
   truth.slant = onSlantPlane(position, velocity, site);
   truth.mode_3a = target.mode_3a;
-  truth.height = tws::altitudeOverSphere(position);
+  truth.height = sea.heightOf(position);
   return truth;
 }
 
@@ -60,7 +58,7 @@ std::vector<TruthState> truthsOf(const tws_msgs::Truth& message, const Eigen::Ve
   for (const tws_msgs::TruthTarget& target : message.targets) {
     const bool required = among(filter.required_kinds, target.kind);
     if ((!required && !among(filter.tolerated_kinds, target.kind)) || !faultOf(target).empty()) continue;
-    truths.push_back(stateOf(target, site));
+    truths.push_back(stateOf(target, site, filter.sea));
     truths.back().required = required && inCover(target, cover, filter.least_detection_probability);
   }
   return truths;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <tws_core/sea_level.h>
 #include <tws_msgs/Truth.h>
 
 #include <string>
@@ -16,6 +17,7 @@ struct TruthFilter {
                                              ///< None of them known: all radars.
   std::vector<std::uint8_t> required_kinds{tws_msgs::TruthTarget::AIRCRAFT, tws_msgs::TruthTarget::SHIP};
   std::vector<std::uint8_t> tolerated_kinds{tws_msgs::TruthTarget::SLOW_MOVER};  ///< A track of one is not wrong.
+  tws::SeaLevel sea;  ///< Under the frame of the truth: gives the targets' heights.
 };
 
 /// Why a target cannot be used, e.g. "position.x is nan"; empty: it can.

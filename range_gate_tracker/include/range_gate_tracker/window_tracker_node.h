@@ -7,7 +7,7 @@
 namespace range_gate_tracker {
 
 /// Track-while-scan windows on one rotating radar: /<radar>/detections and /<radar>/sector_marks in, the operator's
-/// /clicked_point and service /tws/drop_track; out /tws/tracks, /tws/windows and /tws/operator_requests.
+/// /clicked_point and service /tws/drop_track; out /tws/tracks, /tws/windows and /window_tracker/operator_requests.
 class WindowTrackerNode {
  public:
   /// Throws tws_runtime::ParameterError.
