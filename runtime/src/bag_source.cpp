@@ -1,5 +1,6 @@
 #include <tws_runtime/bag_source.h>
 
+#include <ros/names.h>
 #include <rosbag/bag.h>
 #include <rosbag/view.h>
 #include <tws_runtime/local_graph.h>
@@ -35,6 +36,9 @@ MessageType rawType(const rosbag::ConnectionInfo& connection) {
       &typeid(Bytes), connection.datatype, connection.md5sum, connection.msg_def, false, no_stamp, rawLength, writeRaw,
       readRaw};
 }
+
+/// A bag may hold topics without a leading slash: they are those of the root.
+std::string absolute(const std::string& topic) { return ros::names::clean("/" + topic); }
 
 std::string headerField(const ros::M_string& header, const std::string& field) {
   const auto found = header.find(field);
@@ -105,29 +109,33 @@ class BagSource::Impl {
 
   std::vector<std::string> choose(const LocalGraph& graph, const std::vector<std::string>& wanted) {
     static const std::set<std::string> kOfTheOldRun{"/clock", "/rosout", "/rosout_agg", "/diagnostics"};
-    std::set<std::string> present;
+    std::map<std::string, std::string> present;  // By their absolute names.
     rosbag::View all(bag_);
-    for (const rosbag::ConnectionInfo* connection : all.getConnections()) present.insert(connection->topic);
-    for (const std::string& topic : wanted)
-      if (present.count(topic) == 0) throw std::runtime_error(path_ + ": holds no topic " + topic);
-    if (!wanted.empty()) return wanted;
+    for (const rosbag::ConnectionInfo* connection : all.getConnections())
+      present[absolute(connection->topic)] = connection->topic;
     std::vector<std::string> chosen;
-    for (const std::string& topic : present)
+    for (const std::string& topic : wanted) {
+      if (present.count(topic) == 0) throw std::runtime_error(path_ + ": holds no topic " + topic);
+      chosen.push_back(present.at(topic));
+    }
+    if (!wanted.empty()) return chosen;
+    for (const auto& [topic, recorded] : present)
       if (kOfTheOldRun.count(topic) == 0 && (topic == "/tf_static" || !graph.isPublished(topic)))
-        chosen.push_back(topic);
+        chosen.push_back(recorded);
     return chosen;
   }
 
   void open(LocalGraph& graph, const rosbag::ConnectionInfo& connection) {
-    const MessageType* known = graph.typeOf(connection.topic);
+    const std::string topic = absolute(connection.topic);
+    const MessageType* known = graph.typeOf(topic);
     const MessageType type = known ? *known : rawType(connection);
     if (type.datatype != connection.datatype || type.md5sum != connection.md5sum)
       throw std::runtime_error(path_ + ": topic " + connection.topic + " holds " + connection.datatype + " (md5 " +
                                connection.md5sum + "), but the nodes read " + type.datatype + " (md5 " + type.md5sum +
                                ")");
     const bool latched = headerField(*connection.header, "latching") == "1";
-    outputs_[connection.header.get()] = {
-        graph.openChannel(nodeName(*connection.header), connection.topic, latched, type), type.read};
+    outputs_[connection.header.get()] = {graph.openChannel(nodeName(*connection.header), topic, latched, type),
+                                         type.read};
   }
 
   std::string path_;

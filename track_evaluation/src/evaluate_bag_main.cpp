@@ -49,9 +49,9 @@ YAML::Node parametersFor(const Options& options, const BagContents& contents) {
 
 void check(const Options& options, const BagContents& contents, const EvaluationNode& node) {
   if (node.epochs() > 0 || node.identifiedPlots() > 0 || options.truth_optional) return;
-  if (contents.truth) throw std::runtime_error(options.bag + ": no truth in it can be used");
+  if (!contents.truth.empty()) throw std::runtime_error(options.bag + ": no truth in it can be used");
   throw std::runtime_error(options.bag +
-                           ": holds neither /truth nor plots with identities (tws_msgs/SsrPlots) to score by");
+                           ": holds neither truth nor plots with identities (tws_msgs/SsrPlots) to score by");
 }
 
 /// A file that is written from the start of the run on, when it is asked for.
@@ -76,7 +76,8 @@ void run(const Options& options) {
   BagContents contents = inspectBag(options.bag);
   if (!options.trackers.empty()) choose(options.trackers, contents);
   tws_runtime::LocalGraph graph(std::cerr);
-  EvaluationNode node(graph.addNode("evaluation", parametersFor(options, contents)));
+  const std::string name = contents.space.empty() ? "evaluation" : contents.space.substr(1) + "/evaluation";
+  EvaluationNode node(graph.addNode(name, parametersFor(options, contents), contents.remaps()));
   std::ofstream json, series, picture;
   open(json, options.json);
   open(series, options.series);
