@@ -1,47 +1,94 @@
 #include "graph_description.h"
 
-#include <array>
-#include <cstdio>
-#include <memory>
+#include <algorithm>
+#include <regex>
+#include <sstream>
 #include <stdexcept>
 
 namespace tws_launch {
 namespace {
 
-/// A word for the shell that stands for exactly `text`.
-std::string quoted(const std::string& text) {
-  std::string word = "'";
-  for (const char c : text) word += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return word + "'";
+/// Numbers and truth values of which YAML 1.1 (rosparam) and 1.2 (yaml-cpp) think the same stay bare; all else is text.
+/// Whole numbers of more than nine digits do not fit into a ROS parameter.
+bool staysBare(const YAML::Node& scalar) {
+  static const std::regex kBare("true|false|-?[0-9]{1,9}|-?[0-9]+\\.[0-9]*([eE][-+][0-9]+)?");
+  return scalar.Tag() != "!" && std::regex_match(scalar.Scalar(), kBare) &&
+         !(scalar.Scalar().size() > 1 && scalar.Scalar()[0] == '0' && scalar.Scalar()[1] != '.');
 }
 
-/// What a command prints. Throws std::runtime_error when it fails.
-std::string outputOf(const std::string& command) {
-  FILE* pipe = popen(command.c_str(), "r");
-  if (!pipe) throw std::runtime_error("cannot start " + command);
-  std::string output;
-  std::array<char, 4096> piece;
-  while (const std::size_t length = std::fread(piece.data(), 1, piece.size(), pipe))
-    output.append(piece.data(), length);
-  if (pclose(pipe) != 0) throw std::runtime_error("failed: " + command);
-  return output;
+std::string quoted(const std::string& text) {
+  YAML::Emitter emitter;
+  emitter << YAML::DoubleQuoted << text;
+  return emitter.c_str();
+}
+
+std::string scalarText(const YAML::Node& scalar) {
+  return staysBare(scalar) ? scalar.Scalar() : quoted(scalar.Scalar());
+}
+
+std::map<std::string, std::string> textMap(const YAML::Node& node) {
+  return node ? node.as<std::map<std::string, std::string>>() : std::map<std::string, std::string>();
+}
+
+NodeDescription nodeFromYaml(const YAML::Node& entry) {
+  NodeDescription node;
+  node.package = entry["package"].as<std::string>();
+  node.type = entry["type"].as<std::string>();
+  node.name = entry["name"].as<std::string>();
+  node.role = entry["role"].as<std::string>("tracker");
+  node.remaps = textMap(entry["remaps"]);
+  node.parameters = entry["parameters"];
+  return node;
+}
+
+void write(std::ostream& out, const NodeDescription& node) {
+  out << "- package: " << quoted(node.package) << "\n  type: " << quoted(node.type) << "\n  name: " << quoted(node.name)
+      << "\n  role: " << node.role << "\n";
+  if (!node.remaps.empty()) out << "  remaps: " << inOneLine(YAML::Node(node.remaps)) << "\n";
+  if (!node.parameters.IsMap() || node.parameters.size() == 0) return;
+  out << "  parameters:\n";
+  for (const auto& entry : node.parameters)
+    out << "    " << scalarText(entry.first) << ": " << inOneLine(entry.second) << "\n";
 }
 
 }  // namespace
 
-std::vector<NodeDescription> parseGraph(const std::string& yaml) {
-  std::vector<NodeDescription> nodes;
-  for (const YAML::Node& entry : YAML::Load(yaml))
-    nodes.push_back({entry["package"].as<std::string>(), entry["type"].as<std::string>(),
-                     entry["name"].as<std::string>(), entry["remaps"].as<std::map<std::string, std::string>>(),
-                     entry["parameters"]});
-  return nodes;
+const NodeDescription* GraphDescription::find(const std::string& name) const {
+  const auto found = std::find_if(nodes.begin(), nodes.end(), [&](const auto& node) { return node.name == name; });
+  return found == nodes.end() ? nullptr : &*found;
 }
 
-std::vector<NodeDescription> describeGraph(const std::string& launch_file, const std::vector<std::string>& arguments) {
-  std::string command = "rosrun tws_launch describe_graph \"$(rospack find tws_launch)\"/" + quoted(launch_file);
-  for (const std::string& argument : arguments) command += " " + quoted(argument);
-  return parseGraph(outputOf(command));
+std::string inOneLine(const YAML::Node& tree) {
+  if (tree.IsScalar()) return scalarText(tree);
+  std::string text;
+  if (tree.IsMap()) {
+    for (const auto& entry : tree)
+      text += (text.empty() ? "" : ", ") + scalarText(entry.first) + ": " + inOneLine(entry.second);
+    return "{" + text + "}";
+  }
+  for (const YAML::Node& entry : tree) text += (text.empty() ? "" : ", ") + inOneLine(entry);
+  return tree.IsSequence() ? "[" + text + "]" : "null";
+}
+
+std::string toYaml(const GraphDescription& graph) {
+  std::ostringstream out;
+  out << "namespace: " << quoted(graph.space) << "\nsensors: " << inOneLine(YAML::Node(graph.sensors))
+      << "\nremaps: " << inOneLine(YAML::Node(graph.remaps)) << "\nnodes:\n";
+  for (const NodeDescription& node : graph.nodes)
+    if (node.arguments.empty()) write(out, node);
+  return out.str();
+}
+
+GraphDescription graphFromYaml(const std::string& yaml) try {
+  const YAML::Node tree = YAML::Load(yaml);
+  GraphDescription graph;
+  graph.space = tree["namespace"].as<std::string>("");
+  if (tree["sensors"]) graph.sensors = tree["sensors"].as<Sensors>();
+  graph.remaps = textMap(tree["remaps"]);
+  for (const YAML::Node& entry : tree["nodes"]) graph.nodes.push_back(nodeFromYaml(entry));
+  return graph;
+} catch (const YAML::Exception& error) {
+  throw std::runtime_error(std::string("is no description of a graph: ") + error.what());
 }
 
 }  // namespace tws_launch

@@ -8,20 +8,44 @@
 
 namespace tws_launch {
 
-/// One node of a launch file, as roslaunch would start it.
+/// One node of a graph, as roslaunch or the offline runner starts it.
 struct NodeDescription {
   std::string package;
-  std::string type;  ///< The executable.
-  std::string name;  ///< Without a leading slash.
-  std::map<std::string, std::string> remaps;
+  std::string type;  ///< The program.
+  std::string name;  ///< In the graph's namespace, e.g. "adit".
+  std::string role;  ///< source, tracker, watcher or recorder; see graph.yaml.
   YAML::Node parameters;
+  std::map<std::string, std::string> remaps;  ///< From absolute name to absolute name.
+  std::vector<std::string> arguments;         ///< On the command line.
+  std::string prefix;                         ///< roslaunch's launch-prefix.
+  bool respawn = false;                       ///< Is started again when it dies; else that ends the run of a tracker.
+  bool quiet = false;                         ///< What it prints is only logged.
+  std::vector<std::string> hears;             ///< Topics, absolute.
+  std::map<std::string, std::string> says;    ///< The same, and their types.
+
+  std::string program() const { return package + "/" + type; }
 };
 
-/// The nodes of a launch file of this package, resolved by roslaunch's own loader. `arguments` are "name:=value".
-/// Throws std::runtime_error when roslaunch refuses the file; what it said is on the standard error.
-std::vector<NodeDescription> describeGraph(const std::string& launch_file, const std::vector<std::string>& arguments);
+/// The names of an input's sensors, by kind (see graph.yaml), in the order in which trackers number them.
+using Sensors = std::map<std::string, std::vector<std::string>>;
 
-/// Reads the list of nodes that scripts/describe_graph prints. Throws YAML::Exception.
-std::vector<NodeDescription> parseGraph(const std::string& yaml);
+/// A whole graph: what roslaunch's XML, the offline runner and the record in a bag are made from.
+struct GraphDescription {
+  std::string space;  ///< The namespace: "" or e.g. "/ship".
+  Sensors sensors;
+  std::map<std::string, std::string> remaps;  ///< Of all nodes: where a sensor's topic has another name than usual.
+  std::vector<NodeDescription> nodes;
+
+  /// Null when there is none of that name.
+  const NodeDescription* find(const std::string& name) const;
+};
+
+/// The description as YAML, as it is recorded: nodes with all their parameters. Those of a live run only are left out.
+std::string toYaml(const GraphDescription& graph);
+/// Reads that again. Throws std::runtime_error when it is none.
+GraphDescription graphFromYaml(const std::string& yaml);
+
+/// A tree of parameters in one line of YAML that every reader of YAML 1.1 and 1.2 takes for the same.
+std::string inOneLine(const YAML::Node& tree);
 
 }  // namespace tws_launch

@@ -8,26 +8,26 @@
 #include <vector>
 
 #include "graph_description.h"
+#include "node_registry.h"
 #include "progress_node.h"
 
 namespace tws_launch {
 
-/// The nodes of a launch file in one process, without a master. This is the one place that knows every node.
+/// The nodes of a graph in one process, without a master.
 class OfflineGraph {
  public:
-  /// Makes the nodes in the order of the launch file; those that only a live graph has (recorder, player, display) are
-  /// left out. Log lines and progress go to `log`. Throws std::runtime_error for a node that is not known here, and
-  /// what a node throws.
-  OfflineGraph(const std::vector<NodeDescription>& nodes, std::ostream& log);
+  /// Makes the nodes in their order. Log lines and progress go to `log`. Throws std::runtime_error for a program that
+  /// is not in the registry, and what a node throws.
+  OfflineGraph(const GraphDescription& graph, std::ostream& log, const NodeRegistry& registry = nodeRegistry());
 
   tws_runtime::LocalGraph& graph() { return graph_; }
   /// The simulators and recordings among the nodes.
   std::vector<tws_runtime::Source*> sources() const;
-  /// The launch file's progress node. Throws std::runtime_error when it has none.
+  /// The graph's progress node. Throws std::runtime_error when it has none.
   ProgressNode& progress();
 
  private:
-  void add(const NodeDescription& node);
+  void add(const NodeDescription& node, const GraphDescription& graph, const NodeRegistry& registry);
 
   std::ostream& log_;
   tws_runtime::LocalGraph graph_;

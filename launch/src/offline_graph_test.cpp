@@ -10,14 +10,14 @@ namespace {
 
 // What the launch file says must be what runs offline, or nothing.
 
-std::vector<NodeDescription> graphOf(const std::string& program) {
+GraphDescription graphOf(const std::string& program) {
   const auto slash = program.find('/');
-  return parseGraph("- {package: " + program.substr(0, slash) + ", type: " + program.substr(slash + 1) +
-                    ", name: n, remaps: {/from: /to}, parameters: {radars: [{name: a}]}}");
+  return graphFromYaml("nodes: [{package: " + program.substr(0, slash) + ", type: " + program.substr(slash + 1) +
+                       ", name: n, remaps: {/from: /to}, parameters: {radars: [{name: a}]}}]");
 }
 
 TEST(OfflineGraph, ReadsEveryPartOfANodesDescription) {
-  const NodeDescription node = graphOf("adit_tracker/adit_node").at(0);
+  const NodeDescription node = graphOf("adit_tracker/adit_node").nodes.at(0);
   EXPECT_EQ(node.package, "adit_tracker");
   EXPECT_EQ(node.type, "adit_node");
   EXPECT_EQ(node.name, "n");
@@ -32,8 +32,8 @@ TEST(OfflineGraph, MakesTheTrackerUnderItsName) {
 }
 
 TEST(OfflineGraph, MakesTheSecondaryTrackerAndTheCorrelator) {
-  const auto nodes = parseGraph(
-      "- {package: track_correlator, type: ssr_tracker_node, name: s, remaps: {}, parameters: {radar: ssr}}\n"
+  const auto nodes = graphFromYaml(
+      "nodes:\n- {package: track_correlator, type: ssr_tracker_node, name: s, remaps: {}, parameters: {radar: ssr}}\n"
       "- {package: track_correlator, type: track_correlator_node, name: c, remaps: {}, parameters: {clock_radar: "
       "ssr}}");
   std::ostringstream log;
@@ -43,8 +43,8 @@ TEST(OfflineGraph, MakesTheSecondaryTrackerAndTheCorrelator) {
 }
 
 TEST(OfflineGraph, MakesTheFrameBuilderAndTheTrackerOfFrames) {
-  const auto nodes = parseGraph(
-      "- {package: esa_frame_builder, type: frame_builder_node, name: f, remaps: {}, parameters: {radar: a}}\n"
+  const auto nodes = graphFromYaml(
+      "nodes:\n- {package: esa_frame_builder, type: frame_builder_node, name: f, remaps: {}, parameters: {radar: a}}\n"
       "- {package: esa_frame_builder, type: mfa_stub_node, name: m, remaps: {}, parameters: {radar: a}}");
   std::ostringstream log;
   OfflineGraph offline(nodes, log);
@@ -52,10 +52,24 @@ TEST(OfflineGraph, MakesTheFrameBuilderAndTheTrackerOfFrames) {
     EXPECT_TRUE(offline.graph().isPublished(topic)) << topic;
 }
 
-TEST(OfflineGraph, LeavesOutWhatOnlyALiveGraphHas) {
+TEST(OfflineGraph, PutsItsNodesIntoItsNamespace) {
+  GraphDescription graph = graphOf("adit_tracker/adit_node");
+  graph.space = "/ship";
   std::ostringstream log;
-  for (const char* program : {"rosbag/record", "rosbag/play", "rviz/rviz", "tws_rviz/ppi_node"})
-    EXPECT_TRUE(OfflineGraph(graphOf(program), log).sources().empty());
+  OfflineGraph offline(graph, log);
+  EXPECT_TRUE(offline.graph().isPublished("/ship/n/tracks"));
+}
+
+// A tracker of somebody else's runs offline by one row.
+TEST(OfflineGraph, TakesFurtherRowsOfTheRegistry) {
+  struct Silent {
+    explicit Silent(tws_runtime::Bus& bus) { bus.counter("made").add(); }
+  };
+  NodeRegistry registry = nodeRegistry();
+  registry.insert(nodeRow<Silent>("other/program"));
+  std::ostringstream log;
+  OfflineGraph offline(graphOf("other/program"), log, registry);
+  EXPECT_EQ(offline.graph().counters().at(0).value, 1U);
 }
 
 TEST(OfflineGraph, RefusesAProgramItDoesNotKnow) {

@@ -12,15 +12,20 @@ namespace tws_launch {
 
 ProgressNode::ProgressNode(tws_runtime::Bus& bus, std::ostream& out) : out_(out) {
   tws_runtime::ParameterReader reader(bus.parameters(), bus.name());
-  std::vector<std::string> radars;
-  std::vector<std::string> array_radars, range_radars, trackers, correlators;
+  tws_msgs::GraphDescription description;
+  std::vector<std::string> radars, array_radars, range_radars, trackers, correlators;
   reader.texts("radars", radars);
   reader.texts("array_radars", array_radars);
   reader.texts("range_radars", range_radars);
   reader.texts("trackers", trackers);
   reader.texts("correlators", correlators);
   reader.number("length", length_, 0.0, std::numeric_limits<double>::max());
+  reader.text("graph", description.yaml);
   reader.done();
+  if (!description.yaml.empty()) {
+    graph_ = bus.advertise<tws_msgs::GraphDescription>("graph", true);
+    graph_.publish(description);
+  }
   for (const std::string& radar : radars) listen<tws_msgs::Detections>(bus, radar + "/detections");
   for (const std::string& radar : array_radars) listen<tws_msgs::DwellReports>(bus, radar + "/dwell_reports");
   for (const std::string& radar : range_radars) listen<tws_msgs::RangeProfile>(bus, radar + "/range_profile");

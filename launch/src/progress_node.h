@@ -1,5 +1,6 @@
 #pragma once
 
+#include <tws_msgs/GraphDescription.h>
 #include <tws_runtime/bus.h>
 
 #include <chrono>
@@ -12,7 +13,8 @@ namespace tws_launch {
 
 /// Listens to a run, says from time to time how far it has come, and knows at the end what happened.
 /// Private parameters: `radars` (names of rotating radars), `array_radars`, `range_radars`, `trackers` and
-/// `correlators` (names), `length` of the run [s], 0: unknown.
+/// `correlators` (names), `length` of the run [s], 0: unknown, `graph`: its description, which goes out latched on the
+/// topic `graph`, so that a recording says how it came about.
 class ProgressNode {
  public:
   /// Lines go to `out`, which must outlive the node. Throws tws_runtime::ParameterError.
@@ -31,6 +33,7 @@ class ProgressNode {
   }
 
   std::ostream& out_;
+  tws_runtime::Publisher<tws_msgs::GraphDescription> graph_;
   double length_ = 0.0;
   RunSummary summary_;
   Clock::time_point start_ = Clock::now();

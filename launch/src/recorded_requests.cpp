@@ -3,43 +3,55 @@
 #include <rosbag/bag.h>
 #include <rosbag/view.h>
 
+#include <algorithm>
+#include <map>
 #include <stdexcept>
-#include <utility>
+
+#include "topic_name.h"
 
 namespace tws_launch {
 namespace {
 
-/// The trackers' nodes, and where their requests were recorded; windows' were on another topic before.
-const std::vector<std::pair<std::string, std::vector<std::string>>> kTrackers = {
-    {"adit", {"/adit/operator_requests"}},
-    {"window_tracker", {"/window_tracker/operator_requests", "/tws/operator_requests"}}};
+// As the requests to the window tracker were called in version 0.1's first bags.
+const std::map<std::string, std::string> kFormerTopics{{"window_tracker", "tws/operator_requests"}};
 
 }  // namespace
 
-RecordedRequests::RecordedRequests(tws_runtime::LocalGraph& graph, const std::string& bag)
-    : RecordedRequests(graph.addNode("recorded_requests"), bag) {}
+bool repeatsRequests(const NodeDescription& node) {
+  const std::string type = ros::message_traits::datatype<tws_msgs::OperatorRequest>();
+  return std::any_of(node.says.begin(), node.says.end(), [&](const auto& said) { return said.second == type; });
+}
 
-RecordedRequests::RecordedRequests(tws_runtime::Bus& bus, const std::string& bag) {
-  try {
-    rosbag::Bag file(bag, rosbag::bagmode::Read);
-    for (const auto& [tracker, topics] : kTrackers) {
-      Recorded& own = trackers_.emplace_back();
-      own.to = bus.advertise<tws_msgs::OperatorRequest>("/" + tracker + "/recorded_requests");
-      for (const rosbag::MessageInstance& message : rosbag::View(file, rosbag::TopicQuery(topics)))
-        if (const auto request = message.instantiate<tws_msgs::OperatorRequest>())
-          own.requests.push_back(request);
-        else
-          bus.counter("requests left out").add("an operator's requests were recorded in the form of another version");
-      if (!own.requests.empty()) begin_ = rosbag::View(file).getBeginTime();
-    }
-  } catch (const rosbag::BagException& error) {
-    throw std::runtime_error(bag + ": is missing, truncated or no bag: " + error.what());
-  }
+std::optional<std::string> requestTopic(const RunInput& bag, const std::string& space, const std::string& tracker) {
+  auto topic = bag.topics.find(resolvedName(space, tracker + "/operator_requests"));
+  const auto former = kFormerTopics.find(tracker);
+  if (topic == bag.topics.end() && former != kFormerTopics.end())
+    topic = bag.topics.find(resolvedName(space, former->second));
+  if (topic == bag.topics.end()) return std::nullopt;
+  return topic->second;
+}
+
+RecordedRequests::RecordedRequests(tws_runtime::LocalGraph& graph, const RunInput& bag, const std::string& space,
+                                   const std::string& tracker) {
+  tws_runtime::Bus& bus = graph.addNode(resolvedName(space, "requests_to_" + tracker).substr(1));
+  publisher_ = bus.advertise<tws_msgs::OperatorRequest>(resolvedName(space, tracker + "/recorded_requests"));
+  if (const auto topic = requestTopic(bag, space, tracker)) read(bus, bag.path, *topic);
+}
+
+void RecordedRequests::read(tws_runtime::Bus& bus, const std::string& path, const std::string& topic) try {
+  rosbag::Bag file(path, rosbag::bagmode::Read);
+  for (const rosbag::MessageInstance& message : rosbag::View(file, rosbag::TopicQuery(topic)))
+    if (const auto request = message.instantiate<tws_msgs::OperatorRequest>())
+      requests_.push_back(request);
+    else
+      bus.counter("requests left out").add("an operator's requests were recorded in the form of another version");
+  if (!requests_.empty()) begin_ = rosbag::View(file).getBeginTime();
+} catch (const rosbag::BagException& error) {
+  throw std::runtime_error(path + ": is missing, truncated or no bag: " + error.what());
 }
 
 void RecordedRequests::step() {
-  for (Recorded& tracker : trackers_)
-    for (const auto& request : tracker.requests) tracker.to.publish(request);
+  for (const auto& request : requests_) publisher_.publish(request);
   begin_.reset();
 }
 

@@ -2,105 +2,116 @@
 
 #include <asterix_bridge/asterix_node.h>
 #include <radar_sim/radar_sim_node.h>
-#include <rosbag/bag.h>
-#include <rosbag/view.h>
-#include <tws_msgs/Detections.h>
-#include <tws_msgs/DwellReports.h>
-#include <tws_msgs/RangeProfile.h>
-#include <tws_msgs/SsrPlots.h>
-#include <tws_msgs/Tracks.h>
 #include <tws_runtime/local_graph.h>
 
 #include <algorithm>
-#include <set>
+#include <filesystem>
+#include <fstream>
 #include <sstream>
 #include <stdexcept>
+
+#include "bag_input.h"
+#include "in_words.h"
+#include "topic_name.h"
 
 namespace tws_launch {
 namespace {
 
-/// "sps12" of "/sps12/detections".
-std::string firstPart(const std::string& topic) { return topic.substr(1, topic.find('/', 1) - 1); }
-
-/// Of all topics in the view, in order.
-std::vector<std::string> firstParts(rosbag::View& view) {
-  std::set<std::string> names;
-  for (const rosbag::ConnectionInfo* connection : view.getConnections()) names.insert(firstPart(connection->topic));
-  return {names.begin(), names.end()};
-}
-
-/// By the simulator itself, so that what it would refuse is refused here, before anything is started.
-void readScenario(RunInput& input, std::optional<double> duration) {
-  YAML::Node parameters;
-  parameters["scenario"] = input.path;
-  if (duration) parameters["duration"] = *duration;
-  std::ostringstream log;
-  tws_runtime::LocalGraph graph(log);
-  const radar_sim::RadarSimNode simulator(graph.addNode("radar_sim", parameters));
-  input.radars = simulator.radars();
-  // As of a bag, whose topics have no order: the trackers' numbering of radars must be the same for both.
-  std::sort(input.radars.begin(), input.radars.end());
-  input.secondary_radars = simulator.secondaryRadars();
-  std::sort(input.secondary_radars.begin(), input.secondary_radars.end());
-  input.array_radars = simulator.arrayRadars();
-  std::sort(input.array_radars.begin(), input.array_radars.end());
-  input.range_radars = simulator.rangeRadars();
-  std::sort(input.range_radars.begin(), input.range_radars.end());
-  input.feeds_tracks = simulator.feedsTracks();
-  input.length = simulator.duration();
-}
-
-void readBag(RunInput& input, std::optional<double> duration) try {
-  const rosbag::Bag bag(input.path);
-  rosbag::View view(bag, rosbag::TypeQuery(ros::message_traits::datatype<tws_msgs::Detections>()));
-  input.radars = firstParts(view);
-  rosbag::View plots(bag, rosbag::TypeQuery(ros::message_traits::datatype<tws_msgs::SsrPlots>()));
-  input.secondary_radars = firstParts(plots);
-  rosbag::View dwells(bag, rosbag::TypeQuery(ros::message_traits::datatype<tws_msgs::DwellReports>()));
-  input.array_radars = firstParts(dwells);
-  view.addQuery(bag, rosbag::TypeQuery(ros::message_traits::datatype<tws_msgs::DwellReports>()));
-  rosbag::View profiles(bag, rosbag::TypeQuery(ros::message_traits::datatype<tws_msgs::RangeProfile>()));
-  input.range_radars = firstParts(profiles);
-  view.addQuery(bag, rosbag::TypeQuery(ros::message_traits::datatype<tws_msgs::RangeProfile>()));
-  input.feeds_tracks = rosbag::View(bag, rosbag::TopicQuery("/primary/tracks")).size() > 0;
-  rosbag::View windows(bag, rosbag::TopicQuery("/tws/tracks"));
-  if (windows.size() > 0) input.windows = windows.begin()->instantiate<tws_msgs::Tracks>()->radar;
-  if (view.size() > 0) input.length = (view.getEndTime() - view.getBeginTime()).toSec();
-  input.length = std::min(input.length, duration.value_or(input.length));
-} catch (const std::exception& error) {
-  throw std::runtime_error(input.path + ": " + error.what());
-}
-
-// Radars of one recording seldom stand at one site, and only such may feed one tracker.
-void readRecording(RunInput& input, std::optional<double> duration) {
-  const asterix_bridge::RecordingSummary summary = asterix_bridge::inspectRecording(input.path);
-  if (!summary.radars.empty()) input.radars = {summary.radars.front()};
-  input.length = std::min(summary.length, duration.value_or(summary.length));
-}
+/// "sps12" of "sps12/detections", with or without a slash ahead.
+std::string sensorOf(const std::string& topic) { return spaceOf(relativeName("", topic)); }
 
 bool endsWith(const std::string& text, const std::string& ending) {
   return text.size() >= ending.size() && text.compare(text.size() - ending.size(), ending.size(), ending) == 0;
 }
 
+/// The sensors of a kind: those that say its first topic.
+std::vector<std::string> namesOf(const SensorKind& kind, const radar_sim::RadarSimNode& simulator) {
+  const auto& [part, type] = kind.topics.front();
+  std::vector<std::string> names;
+  for (const radar_sim::SensorTopics& sensor : simulator.sensors())
+    for (const radar_sim::SensorTopic& topic : sensor.published)
+      if (topic.type == type && endsWith(topic.name, "/" + part) && kind.takes(sensorOf(topic.name)))
+        names.push_back(sensorOf(topic.name));
+  return names;
+}
+
+/// By the simulator itself, so that what it would refuse is refused here, before anything is started.
+void readScenario(RunInput& input, const GraphFile& file, const RunOptions& options) {
+  YAML::Node parameters;
+  parameters["scenario"] = input.path;
+  if (options.has("duration")) parameters["duration"] = options["duration"];
+  std::ostringstream log;
+  tws_runtime::LocalGraph graph(log);
+  const radar_sim::RadarSimNode simulator(graph.addNode("radar_sim", parameters));
+  for (const SensorKind& kind : file.sensors) input.sensors[kind.name] = kind.ordered(namesOf(kind, simulator));
+  input.length = simulator.duration();
+  input.trackers = readTrackerChoices(simulator.trackers(), std::filesystem::path(input.path).parent_path(),
+                                      input.path + ": trackers");
+}
+
+// Radars of one recording seldom stand at one site, and only such may feed one tracker.
+void readRecording(RunInput& input, const std::vector<std::string>& radars, bool own_names) {
+  const asterix_bridge::RecordingSummary summary = asterix_bridge::inspectRecording(input.path);
+  for (const std::string& radar : radars)
+    if (!own_names && std::count(summary.radars.begin(), summary.radars.end(), radar) == 0)
+      throw UsageError("--radars: " + input.path + " has no radar '" + radar + "' (radars: " + joined(summary.radars) +
+                       ")");
+  if (!summary.radars.empty()) input.sensors["rotating"] = {summary.radars.front()};
+  input.length = summary.length;
+}
+
+void readAsterix(RunInput& input, const RunOptions& options) {
+  std::istringstream words(options["radars"]);
+  const std::vector<std::string> radars{std::istream_iterator<std::string>(words), {}};
+  if (input.kind == InputKind::kRecording) readRecording(input, radars, options.has("settings"));
+  if (input.kind == InputKind::kFeed) input.sensors["rotating"] = {"radar"};
+  if (!radars.empty()) input.sensors["rotating"] = radars;
+  input.sensors["secondary"] = input.sensors["rotating"];
+}
+
+InputKind kindOf(const std::string& path) {
+  if (path.empty()) return InputKind::kFeed;
+  if (isBag(path)) return InputKind::kBag;
+  return isRecording(path) ? InputKind::kRecording : InputKind::kScenario;
+}
+
+void refuseSeed(const RunInput& input, const RunOptions& options) {
+  if (input.kind == InputKind::kScenario || !options.has("seed")) return;
+  const std::string what = input.kind == InputKind::kBag ? "a bag" : "a recording";
+  throw UsageError("--seed is for scenarios; " + what + " has no random numbers");
+}
+
 }  // namespace
 
-bool isBag(const std::string& path) { return endsWith(path, ".bag"); }
+std::vector<std::string> RunInput::names(const std::string& sensor_kind) const {
+  const auto found = sensors.find(sensor_kind);
+  return found == sensors.end() ? std::vector<std::string>() : found->second;
+}
+
+bool isBag(const std::string& path) {
+  std::string beginning(7, '\0');
+  std::ifstream(path, std::ios::binary).read(beginning.data(), 7);
+  return endsWith(path, ".bag") || beginning == "#ROSBAG";
+}
 
 bool isRecording(const std::string& path) {
   return !isBag(path) && !endsWith(path, ".yaml") && !endsWith(path, ".yml");
 }
 
-RunInput inspectInput(const std::string& path, std::optional<double> duration) {
+RunInput inspectInput(const std::string& path, const GraphFile& file, const RunOptions& options) {
   RunInput input;
-  input.path = path;
-  input.is_bag = isBag(path);
-  input.is_recording = isRecording(path);
-  if (input.is_bag)
-    readBag(input, duration);
-  else
-    input.is_recording ? readRecording(input, duration) : readScenario(input, duration);
-  if (input.radars.empty() && input.array_radars.empty() && input.range_radars.empty())
-    throw std::runtime_error(path + ": no primary radar in it");
+  input.kind = kindOf(path);
+  input.path = path.empty() ? path : std::filesystem::absolute(path).lexically_normal().string();
+  refuseSeed(input, options);
+  if (input.kind == InputKind::kScenario) readScenario(input, file, options);
+  if (input.kind == InputKind::kBag) readBag(input, file, options["namespace"]);
+  if (input.kind == InputKind::kRecording || input.kind == InputKind::kFeed) readAsterix(input, options);
+  if (options.has("duration") && input.kind != InputKind::kScenario)
+    input.length = std::min(input.length, std::stod(options["duration"]));
+  const bool tracked = std::any_of(file.sensors.begin(), file.sensors.end(), [&](const SensorKind& kind) {
+    return kind.primary && !input.names(kind.name).empty();
+  });
+  if (!tracked) throw std::runtime_error(input.path + ": no primary radar in it");
   return input;
 }
 

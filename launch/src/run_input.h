@@ -1,35 +1,43 @@
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
-#include <vector>
+
+#include "graph_description.h"
+#include "graph_file.h"
+#include "run_options.h"
+#include "tracker_choices.h"
 
 namespace tws_launch {
 
-/// What a run needs to know of its scenario, bag or ASTERIX recording beforehand.
+enum class InputKind { kScenario, kBag, kRecording, kFeed };
+
+/// What is in a scenario, a bag, an ASTERIX recording or a live feed: a graph follows from it.
 struct RunInput {
-  std::string path;
-  bool is_bag = false;
-  bool is_recording = false;        ///< Of ASTERIX.
-  std::vector<std::string> radars;  ///< Names of the rotating radars, by name; of a recording only the busiest one.
-  std::vector<std::string> secondary_radars;  ///< Of a scenario or bag, by name.
-  std::vector<std::string> array_radars;      ///< Electronically scanned, of a scenario or bag, by name.
-  std::vector<std::string> range_radars;      ///< Those that report range profiles, of a scenario or bag, by name.
-  bool feeds_tracks = false;                  ///< Primary and secondary tracks come with it, in place of trackers.
-  std::string windows;  ///< The radar that the window tracker of a recorded run heard; empty: none.
-  double length = 0.0;  ///< Data time from start to end [s].
+  InputKind kind = InputKind::kScenario;
+  std::string path;  ///< Absolute; empty: a live feed.
+  Sensors sensors;
+  std::string space;                          ///< The namespace of the bag's topics: "" or e.g. "/ship".
+  std::map<std::string, std::string> remaps;  ///< Where the bag holds a sensor under another name than the usual one.
+  std::map<std::string, std::string> topics;  ///< Of a bag: absolute name, and as it is recorded.
+  TrackerChoices trackers;                    ///< What a scenario says of them, or what a bag's topics tell.
+  std::optional<GraphDescription> recorded;   ///< The graph that a bag was recorded with.
+  double length = 0.0;                        ///< Data time from start to end [s]; 0: unknown.
+
+  /// Names of a kind's sensors; empty: none.
+  std::vector<std::string> names(const std::string& sensor_kind) const;
 };
 
-/// Whether a path is taken for a recorded run: it ends in ".bag".
+/// Whether a path is taken for a recorded run: it begins as one, or its name ends in ".bag".
 bool isBag(const std::string& path);
 
-/// Whether a path is taken for an ASTERIX recording: it ends neither as a bag nor in ".yaml" or ".yml", as scenarios
-/// do.
+/// Whether a path is taken for an ASTERIX recording: it is no bag, and its name does not end in ".yaml" or ".yml".
 bool isRecording(const std::string& path);
 
-/// Reads a scenario, a bag or an ASTERIX recording, of which a run may be limited to a `duration` [s]. Throws
-/// std::runtime_error, one line that names the file and, in a scenario, the line, when it cannot be read, is wrong or
-/// has no primary radar.
-RunInput inspectInput(const std::string& path, std::optional<double> duration = std::nullopt);
+/// Reads what is in the input; an empty path: a live feed. Throws std::runtime_error, one line that names the file and,
+/// in a scenario, the line, when it cannot be read, is wrong, cannot be understood or has no radar to track; and
+/// UsageError for an option that is not for such an input.
+RunInput inspectInput(const std::string& path, const GraphFile& file, const RunOptions& options = {});
 
 }  // namespace tws_launch

@@ -82,8 +82,7 @@ class ClutterTest(unittest.TestCase):
                              "".join(f"*,{slant_range},{azimuth}\n" for slant_range, azimuth in map(north, range(60, 95))))
         cls.scenario = pathlib.Path(__file__).parent.parent / "scenarios" / f"{SCENARIO}.yaml"
         run = subprocess.Popen(["roslaunch", "--no-summary", "tws_launch", "run.launch", f"record:={cls.live}", "rviz:=false",
-                                f"scenario:={SCENARIO}", f"radars:={' '.join(RADARS)}", "rate:=5", "duration:=85"],
-                               stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+                                f"scenario:={SCENARIO}", "rate:=5", "duration:=85"], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         try:
             operator = Operator()
             operator.wait(65)
@@ -175,8 +174,7 @@ class ClutterTest(unittest.TestCase):
         self.assertTrue(lives != bare[:len(lives)], "what was loaded changed nothing")
         replay = self.folder / "replay.bag"
         command("roslaunch", "--no-summary", "tws_launch", "replay.launch", f"bag:={self.live}", f"record:={replay}", "rviz:=false",
-                "rate:=5",
-                f"radars:={' '.join(RADARS)}")
+                "rate:=5")
         for bag in (replay, offline(self.live, self.folder / "offline")):
             for recorded in (self.live, bag):
                 self.assertEqual(late(recorded), {}, "this machine was too slow for the comparison")

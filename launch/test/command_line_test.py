@@ -61,7 +61,7 @@ class CommandLine(unittest.TestCase):
     def test_the_length_of_a_run_is_what_will_be_run(self):
         for words, length in (([self.scenario], 300), ([self.scenario, "--duration", "400"], 400), ([self.bag], 60),
                               ([self.bag, "--duration", "20"], 20), ([self.bag, "--duration", "400"], 60)):
-            self.assertEqual(run(INSPECT, *words).stdout, f"radars:=a\nlength:={length}\n")
+            self.assertEqual(run(INSPECT, *words).stdout.splitlines()[0], f"length: {length}")
 
     def test_help_names_scenarios_places_and_defaults(self):
         said = run(TWS, "help").stdout

@@ -25,8 +25,7 @@ TOPICS = ["/adit/tracks", "/sps39/elevation_requests", "/sps39/detections"]
 
 
 def run_launch(bag, *arguments):
-    return ["roslaunch", "--no-summary", "tws_launch", "run.launch", f"record:={bag}", "rviz:=false", f"radars:={' '.join(RADARS)}",
-            *arguments]
+    return ["roslaunch", "--no-summary", "tws_launch", "run.launch", f"record:={bag}", "rviz:=false", *arguments]
 
 
 def messages(bag, topic):
@@ -135,8 +134,7 @@ class ElevationTest(unittest.TestCase):
         self.check_same(self.live, offline(self.live, self.folder / "offline"), TOPICS[:2])
         bag = self.folder / "replay.bag"
         command("roslaunch", "--no-summary", "tws_launch", "replay.launch", f"bag:={self.live}", f"record:={bag}", "rviz:=false",
-                "rate:=12",
-                f"radars:={' '.join(RADARS)}")
+                "rate:=12")
         self.check_same(self.live, bag, TOPICS[:2])
 
     def test_the_closed_loop_gives_the_same_live_and_offline_and_never_more_than_eight_a_scan(self):

@@ -36,7 +36,7 @@ class Run:
                             rospy.Subscriber("/adit/status", TrackerStatus, self.statuses.append),
                             rospy.Subscriber("/diagnostics", DiagnosticArray, self.hear)]
         self.process = subprocess.Popen(["roslaunch", "--no-summary", "tws_launch", "run.launch", "rviz:=false", f"scenario:={scenario}",
-                                         "radars:=sps12 sps39", "secondary_radars:=", f"rate:={rate}", f"duration:={duration}", *arguments],
+                                         f"rate:={rate}", f"duration:={duration}", *arguments],
                                         stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
 
     def hear(self, message):

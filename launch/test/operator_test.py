@@ -91,7 +91,7 @@ class OperatorTest(unittest.TestCase):
         self.check_same(offline(self.live, self.folder / "offline"), "offline")
 
     def test_a_replay_repeats_them(self):
-        self.check_same(launch("replay.launch", self.folder / "replay.bag", bag=self.live, rate=5, windows="sps12"), "replay")
+        self.check_same(launch("replay.launch", self.folder / "replay.bag", bag=self.live, rate=5), "replay")
 
 
 if __name__ == "__main__":

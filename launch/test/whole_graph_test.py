@@ -21,7 +21,7 @@ SENSOR_TOPICS = [f"/{radar}/{kind}" for radar in RADARS for kind in ("detections
 SENSOR_TOPICS += ["/ssr/plots", "/ssr/sector_marks", "/esa/dwell_reports", "/mrs/range_profile"]
 TRACK_TOPICS = ["/adit/tracks", "/ssr/tracks", "/correlated/tracks", "/tws/tracks", "/esa/frames", "/esa/tracks", "/esa/track_database",
                 "/mrs/range_gate", "/mrs/tracks"]
-WINDOWS = "sps12"  # The radar of the window tracker.
+WINDOWS = "{window_tracker: {radar: sps12}}"  # what the scenario says, for bags without a description
 
 
 def command(*words):
@@ -33,8 +33,7 @@ def command(*words):
 
 
 def launch(file, record, **arguments):
-    command("roslaunch", "--no-summary", "tws_launch", file, f"record:={record}", "rviz:=false", f"radars:={' '.join(RADARS)}",
-            "secondary_radars:=ssr", "array_radars:=esa", "range_radars:=mrs", *(f"{name}:={value}" for name, value in arguments.items()))
+    command("roslaunch", "--no-summary", "tws_launch", file, f"record:={record}", "rviz:=false", *(f"{name}:={value}" for name, value in arguments.items()))
     return record
 
 
@@ -179,7 +178,7 @@ class WholeGraphTest(unittest.TestCase):
         self.check_same_tracks(bag, "offline from the bag")
 
     def test_a_replay_at_recorded_speed_gives_the_same_tracks(self):
-        self.check_same_tracks(launch("replay.launch", self.folder / "slow.bag", bag=self.live, rate=1, windows=WINDOWS), "replay")
+        self.check_same_tracks(launch("replay.launch", self.folder / "slow.bag", bag=self.live, rate=1), "replay")
 
     def test_the_range_gate_follows_its_target_in_closed_loop(self):
         """The visitor flies at 150 m/s: without commands it would have left the first gate after four seconds."""
@@ -196,7 +195,7 @@ class WholeGraphTest(unittest.TestCase):
             self.assertAlmostEqual(after.range_min, gates[before.header.stamp].range_min, delta=1.01)  # half a bin
 
     def test_a_replay_at_ten_times_the_speed_gives_the_same_tracks(self):
-        self.check_same_tracks(launch("replay.launch", self.folder / "fast.bag", bag=self.live, rate=10, windows=WINDOWS), "fast replay")
+        self.check_same_tracks(launch("replay.launch", self.folder / "fast.bag", bag=self.live, rate=10), "fast replay")
 
     def test_a_replay_of_limited_duration_ends_there(self):
         bag = launch("replay.launch", self.folder / "short.bag", bag=self.live, rate=10, duration=10)
@@ -207,18 +206,19 @@ class WholeGraphTest(unittest.TestCase):
     def test_topics_that_interleave_differently_give_the_same_tracks(self):
         for seed in range(5):
             bag = shuffled(self.live, self.folder / f"shuffled{seed}.bag", seed)
-            self.check_same_tracks(offline(bag, self.folder / f"shuffled{seed}", "--windows", WINDOWS),
+            self.check_same_tracks(offline(bag, self.folder / f"shuffled{seed}", "--trackers", WINDOWS),
                                    f"shuffled with seed {seed}, offline")
-        self.check_same_tracks(launch("replay.launch", self.folder / "shuffled.bag", bag=bag, rate=5, windows=WINDOWS),
+        self.check_same_tracks(launch("replay.launch", self.folder / "shuffled.bag", bag=bag, rate=5, trackers=WINDOWS),
                                "shuffled, replayed")
 
     def test_the_offline_graph_is_what_roslaunch_starts(self):
         """Nodes and private parameters, compared with roslaunch's own dump of the launch file."""
-        file = f"{command('rospack', 'find', 'tws_launch').strip()}/run.launch"
-        described = yaml.safe_load(command("rosrun", "tws_launch", "describe_graph", file, "rviz:=false"))
-        self.assertEqual(sorted("/" + node["name"] for node in described),
-                         sorted(command("roslaunch", "--nodes", file, "rviz:=false").split()))
-        dumped = yaml.safe_load(command("roslaunch", "--dump-params", file, "rviz:=false"))
+        options = ["rviz:=false", "rate:=5"]
+        described = yaml.safe_load(command("rosrun", "tws_launch", "tws_inspect", SCENARIO, *options))["nodes"]
+        file = self.folder / "graph.launch"
+        file.write_text(command("rosrun", "tws_launch", "tws_inspect", "launch", SCENARIO, *options))
+        self.assertEqual(sorted("/" + node["name"] for node in described), sorted(command("roslaunch", "--nodes", file).split()))
+        dumped = yaml.safe_load(command("roslaunch", "--dump-params", file))
 
         def flat(prefix, tree):
             if not isinstance(tree, dict):
@@ -227,8 +227,19 @@ class WholeGraphTest(unittest.TestCase):
 
         parameters = {}
         for node in described:
-            parameters.update(flat("/" + node["name"], node["parameters"]))
+            parameters.update(flat("/" + node["name"], node.get("parameters", {})))
         self.assertEqual(parameters, {key: value for key, value in dumped.items() if key.count("/") > 1})
+
+    def test_launch_files_are_plain(self):
+        """Whoever opens one, or asks for its arguments, understands it."""
+        folder = pathlib.Path(command("rospack", "find", "tws_launch").strip())
+        for file in sorted(folder.glob("*.launch")):
+            text = file.read_text()
+            self.assertLess(max(map(len, text.splitlines())), 140, file)
+            self.assertNotIn("eval", text, file)
+            arguments = command("roslaunch", "--ros-args", file)
+            self.assertNotIn("undocumented", arguments.lower(), file)
+            self.assertEqual("Required Arguments" in arguments, file.name == "replay.launch", arguments)
 
 
 if __name__ == "__main__":

@@ -61,7 +61,8 @@ class Truth:
 def read(bag_file):
     truth, marks, rows = [], collections.defaultdict(list), collections.defaultdict(list)
     with rosbag.Bag(str(bag_file)) as bag:
-        topics = ["/truth", "/adit/tracks"] + [f"/{radar}/sector_marks" for radar in CELLS]
+        radars = {f"/{radar}/sector_marks": radar for radar in CELLS}
+        topics = ["/truth", "/adit/tracks", *radars]
         for topic, message, _ in bag.read_messages(topics):
             if topic == "/truth":
                 truth.append(message)
@@ -70,7 +71,7 @@ def read(bag_file):
                     rows[t.uid].append((t.stamp.to_sec(), t.state in (FIRM, COASTING), t.position.x, t.position.y, t.velocity.x,
                                         t.velocity.y))
             else:
-                marks[topic.split("/")[1]].append((message.header.stamp.to_sec(), message.sector))
+                marks[radars[topic]].append((message.header.stamp.to_sec(), message.sector))
     for history in rows.values():
         history.sort(key=lambda row: row[0])
     return Truth(truth), marks, rows

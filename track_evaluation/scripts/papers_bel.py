@@ -26,7 +26,7 @@ def rows(runs, seeds, Sample, verdict):
 def fly(runs, scenario, scheme, seed=1, **changes):
     parameters = yaml.safe_load((runs.package("track_correlator") / "config" / "track_correlator.yaml").read_text())
     parameters.update(scheme=scheme, **changes)
-    return runs.offline(scenario, "--seed", seed, "--correlator", runs.file("correlator.yaml", parameters))
+    return runs.offline(scenario, "--seed", seed, "--params", f"track_correlator={runs.file('correlator.yaml', parameters)}")
 
 
 def words(bag_file):

@@ -50,7 +50,8 @@ def fly(runs, algorithm, window, seed):
     for key in ("window_frames", "initiation_frames"):
         tracker[key] *= window
     bag = runs.offline(dict(runs.scenario("esa_closely_spaced"), duration_s=DURATION), "--seed", seed,
-                       "--frame-builder", runs.file("frame_builder.yaml", builder), "--mfa-stub", runs.file("mfa_stub.yaml", tracker))
+                       "--params", f"frame_builder={runs.file('frame_builder.yaml', builder)}",
+                       "--params", f"mfa_stub={runs.file('mfa_stub.yaml', tracker)}")
     metrics = runs.evaluate(bag, SETTINGS)["esa"]["metrics"]
     return dict(metrics, redundant=None if metrics["ambiguity"] is None else metrics["ambiguity"] - 1)
 

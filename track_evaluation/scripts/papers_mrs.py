@@ -92,7 +92,7 @@ def straight_away(runs, ratio, seconds=20):
 def fly(runs, scene, tracker, seed, **options):
     key = json.dumps([scene, tracker, seed], sort_keys=True)
     if key not in runs.known:
-        bag = runs.offline(scene, "--seed", seed, "--range-params", runs.file("range.yaml", tracker))
+        bag = runs.offline(scene, "--seed", seed, "--params", f"range_gate_tracker={runs.file('range.yaml', tracker)}")
         runs.known[key] = look(bag, **options)
     return runs.known[key]
 
@@ -108,8 +108,7 @@ def figures(runs, Sample):
     for number, name, words in FIGURES:
         scene = dict(runs.scenario(name), truth_period_s=0.1)
         target = scene["range_radars"][0]["target"]
-        tracker = {"mrs_ship": "ship", "mrs_aircraft": "aircraft"}.get(name, "aircraft_no_background")
-        bag = runs.offline(scene, "--range-params", tracker)
+        bag = runs.offline(scene)
         if runs.figures:
             runs.tool("range_gate_tracker", "range_gate_view", "figure", bag, "--out",
                       (runs.figures / f"mrs_figure_{number}.png").absolute())

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <yaml-cpp/yaml.h>
+
+#include <string>
+#include <vector>
+
+#include "graph_description.h"
+#include "run_input.h"
+
+namespace tws_launch {
+
+/// What follows from a graph whose nodes are all known: who waits for whom, what is played, recorded and scored.
+class GraphLists {
+ public:
+  /// `sensor_topics`: what the input's sensors say, whoever says it.
+  GraphLists(const GraphDescription& graph, const RunInput& input, std::map<std::string, std::string> sensor_topics)
+      : graph_(graph), input_(input), sensor_topics_(std::move(sensor_topics)) {}
+
+  /// Topics of a type ("tws_msgs/Tracks", or "Tracks" of whatever package) that are said in this graph.
+  std::vector<std::string> topicsOfType(const std::string& type) const;
+  /// NAME of each topic NAME/tracks of that type.
+  std::vector<std::string> namesOfType(const std::string& type) const;
+  /// Each of the source's topics as often as there are nodes that hear it.
+  std::vector<std::string> waitedFor() const;
+  /// A player waits until all that it plays is heard: so it plays nothing that nobody hears. As the bag has the names.
+  std::vector<std::string> played() const;
+  /// Outputs first, so that nothing of them is missed.
+  std::vector<std::string> recorded() const;
+  /// What operators asked of the trackers, as the bag has it.
+  std::vector<std::string> requests() const;
+
+ private:
+  bool isSaidHere(const std::string& topic) const;
+  std::string whereItIs(const std::string& topic) const;
+
+  const GraphDescription& graph_;
+  const RunInput& input_;
+  const std::map<std::string, std::string> sensor_topics_;
+};
+
+}  // namespace tws_launch

@@ -1,0 +1,55 @@
+#include "launch_xml.h"
+
+#include <gtest/gtest.h>
+
+namespace tws_launch {
+namespace {
+
+NodeDescription node(const std::string& role) {
+  NodeDescription node;
+  node.package = "p";
+  node.type = "t";
+  node.name = "n";
+  node.role = role;
+  return node;
+}
+
+std::string xmlOf(const NodeDescription& node) {
+  GraphDescription graph;
+  graph.nodes = {node};
+  return launchXml(graph);
+}
+
+bool holds(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+TEST(LaunchXml, EndsTheRunWithASourceOrATrackerUnlessThatIsStartedAgain) {
+  EXPECT_TRUE(holds(xmlOf(node("tracker")), "required=\"true\""));
+  EXPECT_FALSE(holds(xmlOf(node("watcher")), "required"));
+  NodeDescription again = node("tracker");
+  again.respawn = true;
+  EXPECT_FALSE(holds(xmlOf(again), "required"));
+  EXPECT_TRUE(holds(xmlOf(again), "respawn=\"true\""));
+}
+
+// If this fails, a path with a blank or an ampersand in it makes roslaunch fail.
+TEST(LaunchXml, QuotesForTheShellAndForXml) {
+  NodeDescription player = node("source");
+  player.arguments = {"--rate=1", "/my runs/a&b.bag"};
+  player.parameters["text"] = "x < \"y\"";
+  const std::string xml = xmlOf(player);
+  EXPECT_TRUE(holds(xml, "args=\"--rate=1 '/my runs/a&amp;b.bag'\"")) << xml;
+  EXPECT_TRUE(holds(xml, "\"text\": &quot;x &lt; \\&quot;y\\&quot;&quot;") || holds(xml, "x &lt; ")) << xml;
+}
+
+TEST(LaunchXml, PutsTheGraphIntoItsNamespaceWithItsRemaps) {
+  GraphDescription graph;
+  graph.space = "/ship";
+  graph.remaps = {{"/ship/sps12/detections", "/north/plots"}};
+  graph.nodes = {node("tracker")};
+  const std::string xml = launchXml(graph);
+  EXPECT_TRUE(holds(xml, "<group ns=\"/ship\">"));
+  EXPECT_TRUE(holds(xml, "<remap from=\"/ship/sps12/detections\" to=\"/north/plots\"/>"));
+}
+
+}  // namespace
+}  // namespace tws_launch
