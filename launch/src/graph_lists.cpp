@@ -12,9 +12,6 @@ namespace {
 /// A type without its package.
 std::string bare(const std::string& type) { return lastPart(type); }
 
-// An operator's requests are said by the tracker, but in a replay they are repeated from the bag.
-bool isRequest(const std::string& type) { return bare(type) == "OperatorRequest"; }
-
 bool hears(const NodeDescription& node, const std::string& topic) {
   return std::count(node.hears.begin(), node.hears.end(), topic) > 0;
 }
@@ -67,8 +64,7 @@ std::vector<std::string> GraphLists::played() const {
 /// By a tracker or watcher, which says it anew.
 bool GraphLists::isSaidHere(const std::string& topic) const {
   return std::any_of(graph_.nodes.begin(), graph_.nodes.end(), [&](const NodeDescription& node) {
-    const auto found = node.says.find(topic);
-    return node.role != "source" && found != node.says.end() && !isRequest(found->second);
+    return node.role != "source" && node.says.count(topic) > 0;
   });
 }
 
