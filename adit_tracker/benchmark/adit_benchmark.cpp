@@ -125,11 +125,11 @@ void track(benchmark::State& state, const std::string& set, double radius) {
     auto adit = std::make_unique<Adit>(params, Adit::Sink{});
     std::size_t next = 0;
     for (; world.events[next].sector.leave_time < kWarmUp; ++next)
-      adit->add(world.events[next].radar, world.events[next].sector);
+      addAndProcess(*adit, world.events[next].radar, world.events[next].sector);
     std::vector<RadarEvent> events(world.events.begin() + static_cast<std::ptrdiff_t>(next), world.events.end());
     for (const RadarEvent& event : events) detections += event.sector.plots.size();
     state.ResumeTiming();
-    for (RadarEvent& event : events) adit->add(event.radar, std::move(event.sector));
+    for (RadarEvent& event : events) addAndProcess(*adit, event.radar, std::move(event.sector));
     state.PauseTiming();
     tracks = adit->tracks().size();
     adit.reset();

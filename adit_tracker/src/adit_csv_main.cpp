@@ -120,18 +120,18 @@ class Run {
         adit_(input_.params, [this](const SectorReport& r) { onSector(r); }) {}
 
   void go() {
-    adit_.loadClutter(input_.clutter);
+    adit_.manual().loadClutter(input_.clutter);
     if (epochs_ > 0.0) epoch_ = std::ceil(input_.first_time / epochs_);
     while (SectorFeed* feed = earliest()) {
       pictures(*feed->nextTime());
       const auto radar = static_cast<std::size_t>(feed - input_.feeds.data());
-      adit_.add(radar, feed->take());
+      addAndProcess(adit_, radar, feed->take());
     }
     adit_.finish();
     if (epochs_ > 0.0) pictures(input_.last_time + 1e-6);
   }
 
-  std::vector<ClutterPlace> clutter() const { return adit_.clutterPlaces(); }
+  std::vector<ClutterPlace> clutter() const { return adit_.clutter().places(); }
 
   void summary(const PlotTable& table) const {
     const AditCounts& n = adit_.counts();
@@ -140,17 +140,18 @@ class Run {
               << "\ntracks dropped      " << n.tracks_dropped << "\ntracks refused      " << n.refused_tracks
               << " (capacity " << adit_.params().capacity << ")\nplots into clutter  " << absorbed() << '\n';
     for (std::size_t i = 0; i < input_.feeds.size(); ++i) {
-      std::fprintf(
-          stderr, "radar %-13s period %.4f s, range sigma %.0f m, azimuth sigma %.3f deg, %.1f false plots a scan\n",
-          adit_.params().radars[i].name.c_str(), adit_.params().radars[i].period, adit_.quality(i).rangeSigma(),
-          tws::degrees(adit_.quality(i).azimuthSigma()), adit_.quality(i).falsePlots());
+      std::fprintf(stderr,
+                   "radar %-13s period %.4f s, range sigma %.0f m, azimuth sigma %.3f deg, %.1f false plots a scan\n",
+                   adit_.params().radars[i].name.c_str(), adit_.params().radars[i].period,
+                   adit_.radars().quality(i).rangeSigma(), tws::degrees(adit_.radars().quality(i).azimuthSigma()),
+                   adit_.radars().quality(i).falsePlots());
     }
   }
 
  private:
   std::uint64_t absorbed() const {
     std::uint64_t sum = 0;
-    for (const ClutterMap& map : adit_.clutter()) sum += map.absorbed();
+    for (const ClutterMap& map : adit_.clutter().maps()) sum += map.absorbed();
     return sum;
   }
 

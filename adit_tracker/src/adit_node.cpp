@@ -135,7 +135,7 @@ class AditNode::Impl {
     for (auto& [ready, its_sector] : waiting_) {
       if (!sites_.usable(ready)) continue;
       adit_->place(ready, sites_.frame(ready));
-      adit_->take(ready, std::move(its_sector));
+      adit_->add(ready, std::move(its_sector));
     }
     waiting_.clear();
     while (all_at_once && workOne()) continue;
@@ -167,19 +167,20 @@ class AditNode::Impl {
   void afterSector() {
     countTroubles();
     operators_.afterSector(*adit_);
-    const SectorReport& latest = adit_->latest();
-    const bool counts = latest.radar == adit_->referenceRadar() || adit_->silent(adit_->referenceRadar());
+    const SectorReport& latest = adit_->tracks().latest();
+    const bool counts =
+        latest.radar == adit_->radars().reference() || adit_->order().silent(adit_->radars().reference());
     if (counts && latest.running % tws::kSectors == kStatusSector) publishStatus(latest);
   }
 
   /// The report's I12DEL: sectors that wait for nothing but the tracker, and the four that it needs ahead.
   std::size_t lag() const {
-    const std::vector<std::size_t> ready = adit_->ready();
+    const std::vector<std::size_t> ready = adit_->order().ready();
     return kSectorsAhead + *std::max_element(ready.begin(), ready.end());
   }
 
   void skipWhenOverflowing() {
-    if (params_.overflow == 0 || adit_->waiting() <= params_.overflow || lag() <= params_.overflow) return;
+    if (params_.overflow == 0 || adit_->order().waiting() <= params_.overflow || lag() <= params_.overflow) return;
     adit_->skip();
     afterSector();
   }

@@ -31,7 +31,7 @@ class AditClutter : public BothSets {
   std::vector<ClutterPlace> learned(double time) const {
     Listener listener(params());
     feedInOrder(listener.adit, twoRadars(time, scene()));
-    return listener.adit.clutterPlaces();
+    return listener.adit.clutter().places();
   }
 };
 
@@ -41,7 +41,7 @@ TEST_P(AditClutter, AMapLearnedBeforeKeepsRocksFromStartingTracks) {
   const std::size_t maps = params().clutter.per_radar ? 2U : 1U;
   EXPECT_GE(map.size(), 20U * maps);
   Listener bare(params()), knowing(params());
-  knowing.adit.loadClutter(map);
+  knowing.adit.manual().loadClutter(map);
   for (Listener* listener : {&bare, &knowing}) feedInOrder(listener->adit, twoRadars(60.0, scene()));
   EXPECT_GE(startedByRocks(bare), 20U);
   // The clutter map runs three sectors ahead: with a common map, the second radar's first three are not mapped.
@@ -53,9 +53,9 @@ TEST_P(AditClutter, AMapLearnedBeforeKeepsRocksFromStartingTracks) {
 TEST_P(AditClutter, ASavedMapLoadedAndSavedAgainIsTheSame) {
   const auto map = learned(120.0);
   Listener listener(params());
-  listener.adit.loadClutter(map);
+  listener.adit.manual().loadClutter(map);
   feedInOrder(listener.adit, twoRadars(30.0, {}));
-  EXPECT_EQ(listener.adit.clutterPlaces(), map);
+  EXPECT_EQ(listener.adit.clutter().places(), map);
 }
 
 /// The sectors that close after `from` and not after `to` [s].
@@ -72,25 +72,25 @@ TEST_P(AditClutter, WhatIsLoadedInMidRunIsKeptFromThenOn) {
   Listener listener(params());
   const RadarSectors radars = twoRadars(120.0, {});
   feedInOrder(listener.adit, between(radars, 0.0, 50.0));
-  EXPECT_EQ(listener.adit.loadClutter({{"", 30e3, 1.0}, {"r1", 40e3, 1.0}}), 0U);
+  EXPECT_EQ(listener.adit.manual().loadClutter({{"", 30e3, 1.0}, {"r1", 40e3, 1.0}}), 0U);
   const std::size_t maps = params().clutter.per_radar ? 2U : 1U;
   feedInOrder(listener.adit, between(radars, 50.0, 88.0));
-  EXPECT_EQ(listener.adit.clutterPlaces().size(), maps + 1U);
+  EXPECT_EQ(listener.adit.clutter().places().size(), maps + 1U);
   feedInOrder(listener.adit, between(radars, 88.0, 99.5));
-  EXPECT_TRUE(listener.adit.clutterPlaces().empty());
+  EXPECT_TRUE(listener.adit.clutter().places().empty());
 }
 
 INSTANTIATE_TEST_SUITE_P(Sets, AditClutter, testing::Values("default", "nrl7952"));
 
 std::size_t pointsOf(const AditParams& params, const std::vector<ClutterPlace>& places) {
   Listener listener(params);
-  listener.adit.loadClutter(places);
+  listener.adit.manual().loadClutter(places);
   const TestRadar radar(6.0);
-  listener.adit.add(0, radar.sectors(0.0, 0.2)[0]);
-  listener.adit.add(1, radar.sectors(0.0, 0.2)[0]);
+  addAndProcess(listener.adit, 0, radar.sectors(0.0, 0.2)[0]);
+  addAndProcess(listener.adit, 1, radar.sectors(0.0, 0.2)[0]);
   listener.adit.finish();
   std::size_t points = 0;
-  for (const ClutterMap& map : listener.adit.clutter()) points += map.size();
+  for (const ClutterMap& map : listener.adit.clutter().maps()) points += map.size();
   return points;
 }
 
@@ -111,8 +111,8 @@ TEST(AditClutterKinds, PlacesThatMakeNoSenseAreRefusedAsAWhole) {
   const double nan = std::nan("");
   for (const ClutterPlace& bad :
        {ClutterPlace{"r7", 1e3, 1.0}, {"", nan, 1.0}, {"", -1.0, 1.0}, {"", 1e3, nan}, {"", 1e3, 6.3}, {"", 1e8, 1.0}})
-    EXPECT_THROW(listener.adit.loadClutter({{"", 30e3, 1.0}, bad}), std::invalid_argument);
-  EXPECT_TRUE(listener.adit.clutterPlaces().empty());
+    EXPECT_THROW(listener.adit.manual().loadClutter({{"", 30e3, 1.0}, bad}), std::invalid_argument);
+  EXPECT_TRUE(listener.adit.clutter().places().empty());
 }
 
 }  // namespace

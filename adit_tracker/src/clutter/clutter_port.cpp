@@ -51,7 +51,7 @@ bool ClutterPort::save(const tws_msgs::SaveClutterMap::Request& request,
     const Adit* const adit = adit_();
     if (adit == nullptr) throw std::runtime_error("no sector has been processed yet");
     const std::string path = fullPath(request.path);
-    const std::vector<ClutterPlace> places = adit->clutterPlaces();
+    const std::vector<ClutterPlace> places = adit->clutter().places();
     saveClutterFile(path, places);
     response.count = static_cast<std::uint32_t>(places.size());
     response.message = std::to_string(places.size()) + " points saved to " + path;

@@ -120,8 +120,8 @@ TEST_P(BothSets, AtFullCapacityNewTracksAreRefusedAndCountedAndTheOldOnesGoOn) {
   EXPECT_GT(listener.adit.counts().refused_tracks, 100U);
   EXPECT_GT(listener.adit.counts().refused_clutter, 0U);
   EXPECT_EQ(listener.believed().size(), 3U);
-  for (const auto slot : listener.adit.living()) {
-    EXPECT_GT(listener.adit.at(slot, 250.0).kinematics.x, 0.0);
+  for (const auto slot : listener.adit.tracks().living()) {
+    EXPECT_GT(listener.adit.tracks().extrapolate(slot, 250.0).kinematics.x, 0.0);
     EXPECT_GT(listener.adit.tracks().at(slot).last_update, 240.0);
   }
 }
@@ -206,25 +206,25 @@ TEST_P(BothSets, APlotBeyondAllReasonDoesNoHarmToTheOthers) {
 TEST_P(BothSets, ASectorThatComesAfterAYoungerOneOfItsRadarIsRefusedAndNamed) {
   Adit adit(params(), {});
   const auto sectors = first_.sectors(0.0, 2.0);
-  adit.add(0, sectors[5]);
+  addAndProcess(adit, 0, sectors[5]);
   for (const std::size_t i : {5U, 4U}) {
     try {
-      adit.add(0, sectors[i]);
+      addAndProcess(adit, 0, sectors[i]);
       FAIL() << "taken";
     } catch (const std::invalid_argument& error) {
       EXPECT_NE(std::string(error.what()).find("radar r0: sector " + std::to_string(i)), std::string::npos)
           << error.what();
     }
   }
-  EXPECT_NO_THROW(adit.add(0, sectors[6]));
+  EXPECT_NO_THROW(addAndProcess(adit, 0, sectors[6]));
 }
 
 TEST_P(BothSets, DataThatComeTooLateAreUsedAndCounted) {
   const TestTarget aircraft{60e3, 20e3, -150.0, 120.0};
   const RadarSectors radars = twoRadars(100.0, {aircraft});
   Listener listener(params());
-  for (const auto& sector : radars[0]) listener.adit.add(0, sector);
-  for (const auto& sector : radars[1]) listener.adit.add(1, sector);  // 100 s late
+  for (const auto& sector : radars[0]) addAndProcess(listener.adit, 0, sector);
+  for (const auto& sector : radars[1]) addAndProcess(listener.adit, 1, sector);  // 100 s late
   listener.adit.finish();
   EXPECT_GT(listener.adit.counts().late_sectors, 500U);
   EXPECT_EQ(listener.sectors, static_cast<int>(radars[0].size() + radars[1].size()));
@@ -243,13 +243,13 @@ TEST_P(BothSets, SkippedSectorsCostNoTrackAndTheirDetectionsStartNone) {
   std::set<std::uint32_t> before;
   std::size_t started = 0, ready = 0, words = 0;
   for (const auto& [time, r, i] : order) {
-    listener.adit.take(r, radars[r][i]);
+    listener.adit.add(r, radars[r][i]);
     if (time > 80.0 && time <= 84.0) continue;
     if (time > 84.0 && before.empty()) {
       before = listener.believed();
       started = listener.of(TrackEvent::kStarted).size();
       words = listener.words.size();
-      for (const std::size_t sectors : listener.adit.ready()) ready += sectors;
+      for (const std::size_t sectors : listener.adit.order().ready()) ready += sectors;
       listener.adit.skip();
       EXPECT_EQ(listener.adit.counts().skipped_sectors, ready);
       EXPECT_EQ(listener.words.size(), words);

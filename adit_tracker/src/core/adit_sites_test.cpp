@@ -54,10 +54,10 @@ TEST_F(SecondSite, OneTrackAnAircraftAtAnyHeight) {
     feedInOrder(listener.adit, flights(targets_, height));
     EXPECT_EQ(listener.believed().size(), targets_.size()) << height;
     EXPECT_EQ(listener.adit.tracks().size(), targets_.size()) << height;
-    for (const auto slot : listener.adit.living()) {
+    for (const auto slot : listener.adit.tracks().living()) {
       const Track& track = listener.adit.tracks().at(slot);
       EXPECT_EQ(track.detected_by, 3) << height;
-      const Kinematics k = listener.adit.at(slot, 199.0).kinematics;
+      const Kinematics k = listener.adit.tracks().extrapolate(slot, 199.0).kinematics;
       double nearest = 1e9;
       for (const auto& t : targets_)
         nearest = std::min(nearest, std::hypot(k.x - t.x - t.vx * 199.0, k.y - t.y - t.vy * 199.0));
@@ -107,7 +107,7 @@ TEST_F(SecondSite, AnOperatorsPointIsWhereHeSaysWhicheverRadarIsAtWork) {
   Listener listener(params_);
   listener.adit.place(1, kIsland);
   feedInOrder(listener.adit, flights(targets_, 5e3));
-  const auto slot = listener.adit.startByHand(50e3, 1.0, 500.0);
+  const auto slot = listener.adit.manual().start(50e3, 1.0, 500.0);
   ASSERT_TRUE(slot);
   const Kinematics& k = listener.adit.tracks().at(*slot).smoothed;
   EXPECT_NEAR(k.x, 50e3 * std::sin(1.0), 1.0);

@@ -27,7 +27,7 @@ TEST_P(BothSets, OneAircraftSeenByTwoRadarsIsOneFirmTrackUpdatedByEveryPlot) {
   const auto own = static_cast<std::size_t>(
       std::count_if(updates.begin(), updates.end(), [&](const Word& w) { return w.uid == uid; }));
   std::size_t absorbed = 0;
-  for (const ClutterMap& map : listener.adit.clutter()) absorbed += map.absorbed();
+  for (const ClutterMap& map : listener.adit.clutter().maps()) absorbed += map.absorbed();
   // Every plot starts a track, updates one, or goes into the clutter map; the letter's map takes some of an aircraft's.
   // A point that is found to move then starts one more.
   const std::size_t started = listener.of(TrackEvent::kStarted).size() - listener.adit.counts().to_track;
@@ -130,7 +130,7 @@ TEST_P(BothSets, ATrackThatStopsBecomesAClutterPoint) {
   EXPECT_GE(listener.adit.counts().to_clutter, 1U);
   EXPECT_EQ(listener.adit.tracks().size(), 0U);
   std::uint32_t points = 0;
-  for (const ClutterMap& map : listener.adit.clutter()) points += map.size();
+  for (const ClutterMap& map : listener.adit.clutter().maps()) points += map.size();
   EXPECT_GE(points, 1U);
 }
 
@@ -147,9 +147,9 @@ TEST_P(BothSets, AClutterPointThatBeginsToMoveBecomesATrack) {
   feedInOrder(listener.adit, radars);
   listener.adit.finish();
   bool followed = false;
-  for (const auto slot : listener.adit.living()) {
-    const Kinematics k = listener.adit.at(slot, 590.0).kinematics;
-    followed = followed || (listener.adit.believed(listener.adit.tracks().at(slot)) &&
+  for (const auto slot : listener.adit.tracks().living()) {
+    const Kinematics k = listener.adit.tracks().extrapolate(slot, 590.0).kinematics;
+    followed = followed || (listener.adit.tracks().believed(listener.adit.tracks().at(slot)) &&
                             std::abs(k.range - moving.range(590.0)) < 700.0);
   }
   EXPECT_TRUE(followed);
@@ -204,8 +204,8 @@ TEST(TheLetter, AnUnusedDetectionStartsATrackAndAClutterPoint) {
   EXPECT_EQ(listener.words[0].running, 11);
   EXPECT_EQ(listener.words[0].event, TrackEvent::kStarted);
   EXPECT_FALSE(listener.words[0].believed);
-  ASSERT_EQ(listener.adit.clutter().size(), 1U);
-  EXPECT_EQ(listener.adit.clutter()[0].size(), 1U);
+  ASSERT_EQ(listener.adit.clutter().maps().size(), 1U);
+  EXPECT_EQ(listener.adit.clutter().maps()[0].size(), 1U);
   EXPECT_EQ(listener.adit.tracks().size(), 1U);
 }
 
@@ -215,7 +215,7 @@ TEST(TheLetter, ProcessesASectorWhenTheFourAheadOfItHaveClosed) {
   const auto sectors = radar.sectors(0.0, 6.4);
   Listener listener(paramsFor("nrl7952", {6.4}));
   for (std::size_t i = 0; i < 10; ++i) {
-    listener.adit.add(0, sectors[i]);
+    addAndProcess(listener.adit, 0, sectors[i]);
     EXPECT_EQ(listener.sectors, std::max(0, static_cast<int>(i) - 3));
   }
 }

@@ -164,7 +164,7 @@ class Listener {
     for (const TrackWord& w : report.words) {
       const Track& track = adit.tracks().at(w.slot);
       words.push_back({report.enter_time, report.radar, report.running, track.uid, track.number, w.event,
-                       adit.believed(track), adit.at(w.slot, w.time).kinematics});
+                       adit.tracks().believed(track), adit.tracks().extrapolate(w.slot, w.time).kinematics});
     }
   }
 
@@ -204,7 +204,8 @@ class Listener {
 };
 
 inline void feed(Adit& adit, const RadarSectors& radars, double skew, std::mt19937_64& generator) {
-  for (const auto& [radar, index] : arrivalOf(radars, skew, generator)) adit.add(radar, radars[radar][index]);
+  for (const auto& [radar, index] : arrivalOf(radars, skew, generator))
+    addAndProcess(adit, radar, radars[radar][index]);
 }
 
 inline void feedInOrder(Adit& adit, const RadarSectors& radars) {
@@ -214,7 +215,7 @@ inline void feedInOrder(Adit& adit, const RadarSectors& radars) {
     for (std::size_t i = 0; i < radars[r].size(); ++i) order.emplace_back(radars[r][i].leave_time, r, i);
   }
   std::sort(order.begin(), order.end());
-  for (const auto& [time, r, i] : order) adit.add(r, radars[r][i]);
+  for (const auto& [time, r, i] : order) addAndProcess(adit, r, radars[r][i]);
 }
 
 /// Both sets on radars of 6 and 8 s.

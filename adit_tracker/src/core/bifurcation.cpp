@@ -82,8 +82,8 @@ std::optional<Bifurcation::Shared> Bifurcation::shareOf(const Run& run, const Tr
                                                         const Detection& detection) const {
   const tws::Plot& plot = detection.plot;
   const RadarQuality& quality = run.radar.quality;
-  const Expected a = expectedFrom(plot, hidden, run.motion, run.turn.radar, quality);
-  const Expected b = expectedFrom(plot, taker, run.motion, run.turn.radar, quality);
+  const Expected a = expectedFrom(plot, hidden, run.motion, run.sector.radar, quality);
+  const Expected b = expectedFrom(plot, taker, run.motion, run.sector.radar, quality);
   const tws::Symmetric2 error{std::pow(quality.rangeSigma(), 2), 0.0, std::pow(plot.range * quality.azimuthSigma(), 2)};
   const tws::Symmetric2 both{a.covariance.xx + b.covariance.xx, a.covariance.xy + b.covariance.xy,
                              a.covariance.yy + b.covariance.yy};
@@ -103,7 +103,7 @@ std::optional<Bifurcation::Shared> Bifurcation::shareOf(const Run& run, const Tr
                                0.25 * both.yy + 0.5 * error.yy + across * across / 12.0};
   const double middle_along = b.along + 0.5 * along, middle_across = b.across + 0.5 * across;
   if (merged.mahalanobis(middle_along, middle_across) > kGreatestMiss * kGreatestMiss) return std::nullopt;
-  const double there = hidden.detection_probability[run.turn.radar] * hidden.existence;
+  const double there = hidden.detection_probability[run.sector.radar] * hidden.existence;
   const double as_both = there * density(merged, middle_along, middle_across);
   const double as_taker = (1.0 - there) * density(b.covariance, b.along, b.across);
   const double chance = as_both / (as_both + as_taker);
@@ -112,7 +112,7 @@ std::optional<Bifurcation::Shared> Bifurcation::shareOf(const Run& run, const Tr
   const double spread = std::sqrt(1.0 / 12.0), half = 0.5 * chance;
   const double taker_spread = std::sqrt(chance / 12.0 + 0.25 * chance * (1.0 - chance));
   return Shared{&detection,
-                run.turn.running,
+                run.sector.running,
                 &run.radar,
                 0,
                 hidden.uid,
@@ -139,7 +139,7 @@ void Bifurcation::tryToShare(const Run& run, TrackFile::Slot slot) {
     best = shared;
     least = distance;
   };
-  for (std::int64_t s = run.turn.running - 1; s <= run.turn.running + 1; ++s) {
+  for (std::int64_t s = run.sector.running - 1; s <= run.sector.running + 1; ++s) {
     run.radar.detections.at(s).within(p.range, p.azimuth, 2.0 * cell.range, 1.5 * cell.azimuth, consider);
   }
   if (!best) return;
@@ -149,14 +149,14 @@ void Bifurcation::tryToShare(const Run& run, TrackFile::Slot slot) {
 
 void Bifurcation::share(const TrackFile& tracks, const TrackMotion& motion, const Correlator& correlator,
                         const std::vector<Correlation>& pairs, const std::vector<TrackFile::Slot>& primary,
-                        RadarState& radar, const tws::SectorRef& turn) {
-  const auto isOld = [&](const Shared& s) { return s.radar == &radar && s.running + kSectorsKept <= turn.running; };
+                        RadarState& radar, const tws::SectorRef& sector) {
+  const auto isOld = [&](const Shared& s) { return s.radar == &radar && s.running + kSectorsKept <= sector.running; };
   shared_.erase(std::remove_if(shared_.begin(), shared_.end(), isOld), shared_.end());
   now_ = shared_.size();
   correlated_.clear();
   for (const Correlation& pair : pairs) correlated_.push_back(pair.slot);
   std::sort(correlated_.begin(), correlated_.end());
-  const Run run{tracks, motion, correlator, radar, turn};
+  const Run run{tracks, motion, correlator, radar, sector};
   for (const auto slot : primary) {
     if (!std::binary_search(correlated_.begin(), correlated_.end(), slot)) tryToShare(run, slot);
   }
@@ -201,7 +201,7 @@ Bifurcation::Reach Bifurcation::partingReach(const tws::Plot& plot, const RadarS
 }
 
 std::optional<Parting> Bifurcation::partingOf(const TrackFile& tracks, const Detection& detection, RadarState& radar,
-                                              const tws::SectorRef& turn) const {
+                                              const tws::SectorRef& sector) const {
   if (detection.claim != Detection::kNoClaim) return std::nullopt;
   const tws::Plot& plot = detection.plot;
   const Reach reach = partingReach(plot, radar);
@@ -209,15 +209,15 @@ std::optional<Parting> Bifurcation::partingOf(const TrackFile& tracks, const Det
   const auto consider = [&](const Detection& other, double by_range, double by_azimuth) {
     if (!other.used || other.taker == Detection::kNoTaker || isShared(other)) return;
     const Track& track = tracks.at(other.taker);
-    if (!track.firm || track.updated[turn.radar] != other.plot.time) return;
+    if (!track.firm || track.updated[sector.radar] != other.plot.time) return;
     const double along = -by_range, across = -plot.range * by_azimuth;
     if (nearest && std::hypot(along, across) >= std::hypot(nearest->along, nearest->across)) return;
     nearest = Parting{other.taker, plot.azimuth, along, across, 0.0, 0.0, 0.0, 0.0, 0.0};
   };
-  for (std::int64_t s = turn.running - 2; s <= turn.running; ++s) {
+  for (std::int64_t s = sector.running - 2; s <= sector.running; ++s) {
     radar.detections.at(s).within(plot.range, plot.azimuth, reach.range, reach.azimuth, consider);
   }
-  if (nearest) weigh(*nearest, tracks.at(nearest->parent), plot, radar, turn.radar);
+  if (nearest) weigh(*nearest, tracks.at(nearest->parent), plot, radar, sector.radar);
   return nearest;
 }
 

@@ -31,7 +31,7 @@ class Bifurcation {
   /// `primary`: as in Correlator::correlate.
   void share(const TrackFile& tracks, const TrackMotion& motion, const Correlator& correlator,
              const std::vector<Correlation>& pairs, const std::vector<TrackFile::Slot>& primary, RadarState& radar,
-             const tws::SectorRef& turn);
+             const tws::SectorRef& sector);
 
   /// The detection in which a track without one of its own is hidden; nullptr: it is in none.
   const Detection* hiding(TrackFile::Slot slot) const;
@@ -43,7 +43,7 @@ class Bifurcation {
 
   /// What an unused detection of the sector before the running one parted from; nothing: it did not part.
   std::optional<Parting> partingOf(const TrackFile& tracks, const Detection& detection, RadarState& radar,
-                                   const tws::SectorRef& turn) const;
+                                   const tws::SectorRef& sector) const;
 
  private:
   /// Half-widths [m], [rad].
@@ -68,7 +68,7 @@ class Bifurcation {
     const TrackMotion& motion;
     const Correlator& correlator;
     RadarState& radar;
-    const tws::SectorRef& turn;
+    const tws::SectorRef& sector;
   };
   void tryToShare(const Run& run, TrackFile::Slot slot);
   std::optional<Shared> shareOf(const Run& run, const Track& hidden, const Track& taker,

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <map>
+#include <memory>
 #include <set>
 
 #include "core/adit_test_helpers.h"
@@ -67,12 +68,12 @@ struct Flight {
   std::vector<double> apart;  // times of echoes of one target alone
 };
 
-Listener track(const RadarSectors& seen, bool bifurcation, const std::string& set = "default") {
+std::unique_ptr<Listener> track(const RadarSectors& seen, bool bifurcation, const std::string& set = "default") {
   AditParams params = paramsFor(set, {6.0, 8.0});
   params.bifurcation = bifurcation;
-  Listener listener(params);
-  feedInOrder(listener.adit, seen);
-  listener.adit.finish();
+  auto listener = std::make_unique<Listener>(params);
+  feedInOrder(listener->adit, seen);
+  listener->adit.finish();
   return listener;
 }
 
@@ -118,7 +119,8 @@ Partings countPartings(bool bifurcation, const std::string& set, int flights, in
   for (int i = 0; i < flights; ++i) {
     const double angle = tws::radians(i % 2 == 0 ? 40.0 : -60.0);
     const Flight flight(parting(180.0 * std::cos(angle), 20.0 + 180.0 * std::sin(angle)), 170.0, first + i);
-    const Listener listener = track(flight.seen, bifurcation, set);
+    const auto tracked = track(flight.seen, bifurcation, set);
+    const Listener& listener = *tracked;
     const double third_update = flight.apart[5];  // of both targets
     double two = std::numeric_limits<double>::infinity();
     std::set<std::uint32_t> believed, all = listener.believed();
@@ -160,7 +162,8 @@ int crossingsKept(double degrees, bool bifurcation, int flights) {
   for (int i = 0; i < flights; ++i) {
     const auto targets = crossing(tws::radians(degrees));
     const Flight flight(targets, 180.0, 500 + i);
-    const Listener listener = track(flight.seen, bifurcation);
+    const auto tracked = track(flight.seen, bifurcation);
+    const Listener& listener = *tracked;
     std::vector<std::uint32_t> before, after;
     for (const TestTarget& target : targets) {
       for (auto* side : {&before, &after}) {
@@ -214,7 +217,8 @@ TEST(TrackBifurcation, BothTracksLiveOnWhereOneAircraftOvertakesTheOtherForAsLon
 TEST(TrackBifurcation, AWordIsAboutTheTimeAtWhichTheBeamMetTheTrack) {
   for (int i = 0; i < 20; ++i) {
     const Flight flight(parting(170.0, 50.0), 170.0, 500 + i);
-    for (const Word& w : track(flight.seen, true).words) {
+    const auto listener = track(flight.seen, true);
+    for (const Word& w : listener->words) {
       EXPECT_NEAR(w.kinematics.time, w.sector_time, 1.0) << "flight " << i << ", track " << w.uid;
     }
   }
@@ -241,7 +245,7 @@ int secondTracks(double share, bool bifurcation, int flights, int first = 900) {
                   [](const auto& a, const auto& b) { return a.time < b.time; });
       }
     }
-    second += track(flight.seen, bifurcation).believed().size() > 1 ? 1 : 0;
+    second += track(flight.seen, bifurcation)->believed().size() > 1 ? 1 : 0;
   }
   return second;
 }
@@ -277,13 +281,13 @@ TEST(TrackBifurcation, WithoutBifurcationNothingIsSharedAndNothingBranches) {
   AditParams params = paramsFor("default", {6.0, 8.0});
   const Flight flight(parting(150.0, 120.0), 170.0, 7);
   params.bifurcation = false;
-  const std::string off = track(flight.seen, false).bytes();
+  const std::string off = track(flight.seen, false)->bytes();
   params.parting.per_scan = 1000.0;  // no number of it matters then
   Listener other(params);
   feedInOrder(other.adit, flight.seen);
   other.adit.finish();
   EXPECT_EQ(off, other.bytes());
-  EXPECT_NE(off, track(flight.seen, true).bytes());
+  EXPECT_NE(off, track(flight.seen, true)->bytes());
 }
 
 }  // namespace

@@ -51,10 +51,10 @@ bool ElevationDesk::isDue(std::int64_t running) {
 /// Those whom the operator has designated by now, by age of the track; nobody else stays.
 void ElevationDesk::updateDesignations(Adit& adit, const SectorReport& report) {
   std::vector<ElevationSchedule::Uid> designated;
-  for (const auto slot : adit.living()) {
+  for (const auto slot : adit.tracks().living()) {
     if (isDropped(report, slot)) continue;
     const Track& track = adit.tracks().at(slot);
-    if (params_.automatic && track.firm) adit.designate(slot, true);
+    if (params_.automatic && track.firm) adit.manual().designate(slot, true);
     if (track.designated) designated.push_back(track.uid);
   }
   std::sort(designated.begin(), designated.end());
@@ -67,10 +67,10 @@ void ElevationDesk::updateDesignations(Adit& adit, const SectorReport& report) {
 ElevationList ElevationDesk::list(const Adit& adit, std::int64_t running) {
   ElevationList list;
   const std::int64_t entered = running - running % tws::kSectors + kListSector;
-  list.time = adit.antenna(radar_).timeAt(tws::Antenna::startOf(entered));
+  list.time = adit.radars().antenna(radar_).timeAt(tws::Antenna::startOf(entered));
   const std::vector<ElevationSchedule::Uid> wanted = schedule_.next();
   if (wanted.empty()) return list;
-  for (const auto slot : adit.living()) {
+  for (const auto slot : adit.tracks().living()) {
     const bool is_wanted = std::find(wanted.begin(), wanted.end(), adit.tracks().at(slot).uid) != wanted.end();
     if (is_wanted) list.searches.push_back(search(adit, slot, running));
   }
@@ -86,10 +86,10 @@ ElevationSearch ElevationDesk::search(const Adit& adit, TrackFile::Slot slot, st
   constexpr int kEnough = 4;  // steps; targets move little while the beam moves on by what they have moved
   const double north = tws::Antenna::startOf((running / tws::kSectors + 1) * tws::kSectors);
   const double earliest = north + params_.lead;
-  Seen there = adit.seenBy(slot, radar_, adit.antenna(radar_).timeAt(earliest));
+  Seen there = adit.tracks().seenBy(slot, radar_, adit.radars().antenna(radar_).timeAt(earliest));
   for (int step = 0; step < kEnough; ++step) {
     const double meeting = earliest + tws::wrapTwoPi(there.azimuth - earliest);
-    there = adit.seenBy(slot, radar_, adit.antenna(radar_).timeAt(meeting));
+    there = adit.tracks().seenBy(slot, radar_, adit.radars().antenna(radar_).timeAt(meeting));
   }
   return {adit.tracks().at(slot).number, tws::wrapTwoPi(there.azimuth - params_.lead), std::max(there.range, 1.0)};
 }

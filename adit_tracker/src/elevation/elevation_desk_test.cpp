@@ -27,8 +27,8 @@ class ElevationDeskTest : public testing::Test {
     std::optional<ElevationDesk> desk;
     adit.emplace(params, [&](const SectorReport& report) {
       if (report.radar == 1 && report.enter_time >= designate_at) {
-        for (const auto slot : adit->living()) {
-          if (adit->tracks().at(slot).firm && designate) adit->designate(slot, true);
+        for (const auto slot : adit->tracks().living()) {
+          if (adit->tracks().at(slot).firm && designate) adit->manual().designate(slot, true);
         }
         designate_at = kEnd;
       }

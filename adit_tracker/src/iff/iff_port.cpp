@@ -85,7 +85,7 @@ void IffPort::handOver(Adit& adit, const RadarSites& sites) {
         leaveOut("unplaced IFF plots", plots, which);
       else if (sector.leave_time > radars_at_)
         ahead.push_back(std::move(sector));
-      else if (!adit.hearIff(i, std::move(sector), *iff.site))
+      else if (!adit.addIff(i, std::move(sector), *iff.site))
         leaveOut("late IFF plots", plots, which);
     }
     iff.waiting = std::move(ahead);

@@ -45,7 +45,7 @@ class Iff : public testing::Test {
     Adit tracker(params, [&](const SectorReport& report) {
       for (const TrackWord& word : report.words) {
         const Track& track = adit->tracks().at(word.slot);
-        const Kinematics k = adit->at(word.slot, word.time).kinematics;
+        const Kinematics k = adit->tracks().extrapolate(word.slot, word.time).kinematics;
         const auto off = [&](const TestTarget& t) {
           return std::hypot(k.x - t.x - t.vx * word.time, k.y - t.y - t.vy * word.time);
         };
@@ -64,8 +64,8 @@ class Iff : public testing::Test {
     });
     for (const auto& [time, radar, sector] : order) {
       if (radar < 2)
-        tracker.add(radar, sector);
-      else if (!tracker.hearIff(0, sector, {}))
+        addAndProcess(tracker, radar, sector);
+      else if (!tracker.addIff(0, sector, {}))
         ++late_;
     }
     return bits;

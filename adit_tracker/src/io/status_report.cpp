@@ -17,7 +17,7 @@ std::uint32_t word(std::uint64_t value) { return static_cast<std::uint32_t>(valu
 
 template <class Is>
 std::uint32_t countOf(const Adit& adit, const Is& is) {
-  const auto living = adit.living();
+  const auto living = adit.tracks().living();
   return word(static_cast<std::uint64_t>(
       std::count_if(living.begin(), living.end(), [&](TrackFile::Slot slot) { return is(adit.tracks().at(slot)); })));
 }
@@ -82,13 +82,13 @@ tws_msgs::TrackerStatus statusMessage(const Adit& adit, const NodeState& state) 
   const AditCounts& counts = adit.counts();
   message.firm_tracks = countOf(adit, [](const Track& track) { return track.firm; });
   message.tracks = adit.tracks().size();
-  for (const ClutterMap& map : adit.clutter()) message.clutter_points += map.size();
+  for (const ClutterMap& map : adit.clutter().maps()) message.clutter_points += map.size();
   message.operator_calls = state.operator_calls;
-  const std::vector<std::size_t> ready = adit.ready();
+  const std::vector<std::size_t> ready = adit.order().ready();
   for (std::size_t i = 0; i < ready.size(); ++i) {
     message.radars.push_back(adit.params().radars[i].name);
     message.sector_lag.push_back(word(kSectorsAhead + ready[i]));
-    message.stale.push_back(adit.silent(i));
+    message.stale.push_back(adit.order().silent(i));
   }
   message.elevation_searches = countOf(adit, [](const Track& track) { return track.designated; });
   message.skipped_sectors = state.skipped_sectors;
@@ -97,7 +97,7 @@ tws_msgs::TrackerStatus statusMessage(const Adit& adit, const NodeState& state) 
   message.late_detections = word(counts.late_plots);
   message.rejected_detections = word(counts.rejected_plots + counts.duplicate_plots + state.bad_detections);
   message.late_sectors = word(counts.late_sectors);
-  for (const auto slot : adit.living())
+  for (const auto slot : adit.tracks().living())
     if (adit.tracks().at(slot).handed_off) message.handed_off.push_back(adit.tracks().at(slot).number);
   std::sort(message.handed_off.begin(), message.handed_off.end());
   return message;
@@ -105,7 +105,7 @@ tws_msgs::TrackerStatus statusMessage(const Adit& adit, const NodeState& state) 
 
 Diagnosis diagnosisOf(const Adit& adit, const NodeState& state) {
   Diagnosis diagnosis;
-  const std::vector<std::size_t> ready = adit.ready();
+  const std::vector<std::size_t> ready = adit.order().ready();
   judgeRadars(adit, state, diagnosis);
   judgeLoad(adit, state, ready, diagnosis);
   if (diagnosis.summary.empty()) diagnosis.summary = "caught up";

@@ -7,7 +7,7 @@
 namespace adit_tracker {
 
 const char* statusOf(const Adit& adit, const Track& track) {
-  if (!adit.believed(track)) return "tentative";
+  if (!adit.tracks().believed(track)) return "tentative";
   return track.coasting ? "coasting" : "firm";
 }
 
@@ -17,12 +17,12 @@ TrackCsv::TrackCsv(std::ostream& output, bool with_heights) : output_(output), w
 
 void TrackCsv::row(const Adit& adit, TrackFile::Slot slot, double time) {
   const Track& track = adit.tracks().at(slot);
-  const Kinematics k = adit.at(slot, time).kinematics;
+  const Kinematics k = adit.tracks().extrapolate(slot, time).kinematics;
   char text[200];
   std::snprintf(text, sizeof text, "%.4f,%u,%.1f,%.1f,%.2f,%.2f,%s", time, track.uid, k.x, k.y, k.vx, k.vy,
                 statusOf(adit, track));
   output_ << text;
-  if (with_heights_) heightColumns(adit.height(slot, time));
+  if (with_heights_) heightColumns(adit.tracks().height(slot, time));
   output_ << '\n';
 }
 
@@ -39,11 +39,11 @@ void TrackCsv::report(const Adit& adit, const SectorReport& report) {
 }
 
 void TrackCsv::picture(const Adit& adit, double time) {
-  auto slots = adit.living();
+  auto slots = adit.tracks().living();
   const auto uid = [&](TrackFile::Slot s) { return adit.tracks().at(s).uid; };
   std::sort(slots.begin(), slots.end(), [&](auto a, auto b) { return uid(a) < uid(b); });
   for (const auto slot : slots) {
-    if (adit.believed(adit.tracks().at(slot))) row(adit, slot, time);
+    if (adit.tracks().believed(adit.tracks().at(slot))) row(adit, slot, time);
   }
 }
 

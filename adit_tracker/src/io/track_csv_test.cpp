@@ -30,7 +30,7 @@ class TrackCsvTest : public testing::Test {
     const TestRadar radar(6.0);
     auto sectors = radar.sectors(0.0, to);
     radar.see({30e3, -10e3, 0.0, 200.0, 0.0, 100.0}, sectors);
-    for (const auto& sector : sectors) adit_->add(0, sector);
+    for (const auto& sector : sectors) addAndProcess(*adit_, 0, sector);
     adit_->finish();
   }
 
@@ -55,7 +55,7 @@ TEST_F(TrackCsvTest, HeightsComeBehindTheUsualColumnsWhereTheyAreKnown) {
     for (tws::Plot& plot : sector.plots) {
       if (plot.time > 20.0) plot.elevation = std::asin(0.2 - plot.range / (2.0 * 8494.7e3));
     }
-    adit_->add(0, sector);
+    addAndProcess(*adit_, 0, sector);
   }
   adit_->finish();
   const auto rows = rowsOf(text.str());

@@ -16,7 +16,7 @@ constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
 std::uint8_t stateOf(const Adit& adit, const Track& track, TrackEvent event) {
   if (event == TrackEvent::kDropped) return tws_msgs::Track::DROPPED;
-  if (!adit.believed(track)) return tws_msgs::Track::TENTATIVE;
+  if (!adit.tracks().believed(track)) return tws_msgs::Track::TENTATIVE;
   return track.coasting ? tws_msgs::Track::COASTING : tws_msgs::Track::FIRM;
 }
 
@@ -57,7 +57,7 @@ void setCovariance(tws_msgs::Track& message, const tws::PlanarState& p, const Si
 
 tws_msgs::Track trackMessage(const Adit& adit, const TrackWord& word, const Site& site) {
   const Track& track = adit.tracks().at(word.slot);
-  const Extrapolation now = adit.at(word.slot, word.time);
+  const Extrapolation now = adit.tracks().extrapolate(word.slot, word.time);
   tws_msgs::Track message;
   message.number = track.number;
   message.uid = track.uid;
@@ -78,14 +78,15 @@ tws_msgs::Track trackMessage(const Adit& adit, const TrackWord& word, const Site
   }
   message.mode_1 = message.mode_2 = message.mode_3a = tws_msgs::Track::CODE_UNKNOWN;
   message.height = message.height_sigma = kUnknown;
-  if (const auto height = adit.height(word.slot, word.time)) setHeight(message, *height, site, !adit.severalSites());
+  if (const auto height = adit.tracks().height(word.slot, word.time))
+    setHeight(message, *height, site, !adit.radars().severalSites());
   return message;
 }
 
 tws_msgs::ClutterMap clutterMessage(const Adit& adit) {
   tws_msgs::ClutterMap message;
-  for (std::size_t map = 0; map < adit.clutter().size(); ++map) {
-    for (const ClutterPoint& point : adit.clutter()[map].points()) {
+  for (std::size_t map = 0; map < adit.clutter().maps().size(); ++map) {
+    for (const ClutterPoint& point : adit.clutter().maps()[map].points()) {
       tws_msgs::ClutterPoint& p = message.points.emplace_back();
       p.number = point.number;
       if (adit.params().clutter.per_radar) p.radar = adit.params().radars[map].name;
@@ -93,7 +94,7 @@ tws_msgs::ClutterMap clutterMessage(const Adit& adit) {
       p.range = point.range;
       p.azimuth = point.azimuth;
       p.hits = static_cast<std::uint32_t>(point.hits);
-      p.absorbing = adit.clutter()[map].absorbing(point);
+      p.absorbing = adit.clutter().maps()[map].absorbing(point);
     }
   }
   return message;

@@ -31,7 +31,7 @@ OperatorAnswer list(const Adit& adit, const OperatorRequest& request, const Fulf
   OperatorAnswer answer;
   std::vector<Slot>& tracks = answer.tracks;
   const auto number = [&](Slot slot) { return adit.tracks().at(slot).number; };
-  tracks = adit.living();
+  tracks = adit.tracks().living();
   const auto out = [&](Slot slot) { return number(slot) < request.start || !fulfils(slot); };
   tracks.erase(std::remove_if(tracks.begin(), tracks.end(), out), tracks.end());
   std::sort(tracks.begin(), tracks.end(), [&](Slot a, Slot b) { return number(a) < number(b); });
@@ -45,7 +45,9 @@ OperatorAnswer list(const Adit& adit, const OperatorRequest& request, const Fulf
 
 bool isTarget(const Adit& adit, Slot slot) { return adit.tracks().at(slot).firm; }
 
-Kinematics nowOf(const Adit& adit, Slot slot) { return adit.at(slot, adit.latest().enter_time).kinematics; }
+Kinematics nowOf(const Adit& adit, Slot slot) {
+  return adit.tracks().extrapolate(slot, adit.tracks().latest().enter_time).kinematics;
+}
 
 OperatorAnswer listAzimuth(const Adit& adit, const OperatorRequest& request) {
   if (!std::isfinite(request.from) || !std::isfinite(request.to))
@@ -77,7 +79,7 @@ OperatorAnswer listClosing(const Adit& adit, const OperatorRequest& request) {
 /// The target within three standard deviations of the point, if there is one.
 std::optional<Slot> targetAt(const Adit& adit, double x, double y) {
   const double reach = 3.0 * adit.params().operators.point_sigma;
-  for (const Slot slot : adit.living()) {
+  for (const Slot slot : adit.tracks().living()) {
     const Kinematics k = nowOf(adit, slot);
     if (isTarget(adit, slot) && std::hypot(k.x - x, k.y - y) <= reach) return slot;
   }
@@ -89,16 +91,16 @@ OperatorAnswer initiate(Adit& adit, const OperatorRequest& request) {
   if (!(range > 0.0 && range <= kFarthest)) return refused("the point must lie within 10 000 km of the radars");
   if (const auto there = targetAt(adit, request.x, request.y))
     return refused("track " + std::to_string(adit.tracks().at(*there).number) + " is there already");
-  const auto slot = adit.startByHand(range, std::atan2(request.x, request.y), adit.params().operators.point_sigma);
+  const auto slot = adit.manual().start(range, std::atan2(request.x, request.y), adit.params().operators.point_sigma);
   if (!slot) return refused("all " + std::to_string(adit.params().capacity - 1) + " track numbers are in use");
   return about(*slot);
 }
 
 OperatorAnswer dropAll(Adit& adit) {
   OperatorAnswer answer;
-  answer.tracks = adit.living();
+  answer.tracks = adit.tracks().living();
   answer.count = static_cast<std::uint32_t>(answer.tracks.size());
-  for (const Slot slot : answer.tracks) adit.dropByHand(slot);
+  for (const Slot slot : answer.tracks) adit.manual().drop(slot);
   return answer;
 }
 
@@ -106,7 +108,7 @@ OperatorAnswer loadClutter(Adit& adit, const OperatorRequest& request) {
   if (request.clutter.empty()) return refused("there are no clutter points to load");
   OperatorAnswer answer;
   try {
-    const std::size_t without_number = adit.loadClutter(request.clutter);
+    const std::size_t without_number = adit.manual().loadClutter(request.clutter);
     answer.count =
         static_cast<std::uint32_t>(request.clutter.size() - std::min(request.clutter.size(), without_number));
   } catch (const std::invalid_argument& error) {
@@ -117,14 +119,14 @@ OperatorAnswer loadClutter(Adit& adit, const OperatorRequest& request) {
 
 /// Requests that name a track.
 OperatorAnswer actOn(Adit& adit, Slot slot, const OperatorRequest& request) {
-  if (request.action == OperatorAction::kHandOff) adit.handOff(slot, !request.cancel);
-  if (request.action == OperatorAction::kDesignate) adit.designate(slot, !request.cancel);
-  if (request.action == OperatorAction::kDrop) adit.dropByHand(slot);
+  if (request.action == OperatorAction::kHandOff) adit.manual().handOff(slot, !request.cancel);
+  if (request.action == OperatorAction::kDesignate) adit.manual().designate(slot, !request.cancel);
+  if (request.action == OperatorAction::kDrop) adit.manual().drop(slot);
   return about(slot);
 }
 
 OperatorAnswer onOne(Adit& adit, const OperatorRequest& request) {
-  const auto slot = adit.find(request.track);
+  const auto slot = adit.tracks().find(request.track);
   if (!slot) return refused("there is no track " + std::to_string(request.track));
   return actOn(adit, *slot, request);
 }

@@ -66,13 +66,15 @@ class OperatorDesk : public testing::Test {
   std::set<int> directions(const OperatorAnswer& answer) {
     std::set<int> all;
     for (const auto slot : answer.tracks)
-      all.insert(static_cast<int>(std::lround(tws::degrees(adit().at(slot, kNow).kinematics.azimuth))) % 360);
+      all.insert(
+          static_cast<int>(std::lround(tws::degrees(adit().tracks().extrapolate(slot, kNow).kinematics.azimuth))) %
+          360);
     return all;
   }
 
   /// The number of the track in that direction.
   std::uint32_t numberAt(int direction) {
-    for (const auto slot : adit().living()) {
+    for (const auto slot : adit().tracks().living()) {
       OperatorAnswer one;
       one.tracks = {slot};
       if (directions(one).count(direction) > 0) return adit().tracks().at(slot).number;
@@ -81,7 +83,7 @@ class OperatorDesk : public testing::Test {
     return 0;
   }
 
-  const Track& track(std::uint32_t number) { return adit().tracks().at(*adit().find(number)); }
+  const Track& track(std::uint32_t number) { return adit().tracks().at(*adit().tracks().find(number)); }
   Adit& adit() { return listener->adit; }
 
   std::optional<Listener> listener;
@@ -200,7 +202,7 @@ TEST_F(OperatorDeskGoesOn, ADroppedTrackIsGoneAtOnceAndSaysItsLastWordWithTheNex
   const std::uint32_t number = numberAt(90), uid = track(number).uid;
   const std::size_t said = listener->words.size();
   EXPECT_EQ(order(Action::kDrop, number).count, 1U);
-  EXPECT_FALSE(adit().find(number).has_value());
+  EXPECT_FALSE(adit().tracks().find(number).has_value());
   EXPECT_EQ(order(Action::kDrop, number).refusal, "there is no track " + std::to_string(number));
   goOn(kNow + 6.0, {});
   const auto words = wordsOn(uid, said);
@@ -213,7 +215,7 @@ TEST_F(OperatorDeskGoesOn, DropAllEndsEveryTrack) {
   const std::uint32_t before = adit().tracks().size();
   const std::size_t said = listener->words.size();
   EXPECT_EQ(ask(Action::kDropAll).count, before);
-  EXPECT_TRUE(adit().living().empty());
+  EXPECT_TRUE(adit().tracks().living().empty());
   goOn(kNow + 2.0, {});
   EXPECT_EQ(listener->words.size() - said, before);
   EXPECT_EQ(adit().tracks().size(), 0U);

@@ -32,7 +32,7 @@ std::vector<tws_msgs::ClutterPoint> clutterPoints(const std::vector<ClutterPlace
 }
 
 void setEffect(tws_msgs::OperatorRequest& message, const Adit& adit, const OperatorAnswer& answer) {
-  const SectorReport& latest = adit.latest();
+  const SectorReport& latest = adit.tracks().latest();
   message.header.stamp = tws_runtime::toTime(latest.enter_time);
   message.radar = adit.params().radars[latest.radar].name;
   message.running_sector = static_cast<std::uint32_t>(latest.running);

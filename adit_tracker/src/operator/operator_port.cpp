@@ -15,7 +15,7 @@ using Request = tws_msgs::OperatorRequest;
 
 TrackWord wordOn(const Adit& adit, TrackFile::Slot slot) {
   const bool coasting = adit.tracks().at(slot).coasting;
-  return {slot, coasting ? TrackEvent::kCoasted : TrackEvent::kUpdated, adit.latest().enter_time};
+  return {slot, coasting ? TrackEvent::kCoasted : TrackEvent::kUpdated, adit.tracks().latest().enter_time};
 }
 
 tf2::Transform transformOf(const geometry_msgs::Transform& t) {
@@ -175,7 +175,7 @@ void OperatorPort::beforeSector(Adit& adit) {
 void OperatorPort::afterSector(Adit& adit) {
   for (Request& message : at_start_) {
     message.header.seq = 0;
-    message.header.stamp = tws_runtime::toTime(adit.latest().enter_time);
+    message.header.stamp = tws_runtime::toTime(adit.tracks().latest().enter_time);
     message.radar.clear();
     message.running_sector = 0;
     told_.publish(message);
@@ -185,7 +185,8 @@ void OperatorPort::afterSector(Adit& adit) {
   const auto due = [&](const Request& m) {
     if (m.radar.empty()) return m.run == run_;  // it should have been here before the first sector
     for (std::size_t i = 0; i < radars.size(); ++i) {
-      const auto passed = static_cast<std::int32_t>(static_cast<std::uint32_t>(adit.front(i)) - m.running_sector);
+      const auto passed =
+          static_cast<std::int32_t>(static_cast<std::uint32_t>(adit.order().front(i)) - m.running_sector);
       if (radars[i].name == m.radar) return m.run == run_ && passed > 0;
     }
     return false;

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include <tws_core/sector_order.h>
+
+#include "adit_params.h"
+#include "core/radar_state.h"
+
+namespace adit_tracker {
+
+/// The tracker's radars, and the sites at which they stand. A site has azimuth sectors of its own; there is one from
+/// the beginning, the first radar's, and a radar elsewhere brings its own with its first sector.
+class Radars {
+ public:
+  explicit Radars(const AditParams& params);
+
+  std::size_t size() const { return radars_.size(); }
+  RadarState& at(std::size_t radar) { return radars_[radar]; }
+  const RadarState& at(std::size_t radar) const { return radars_[radar]; }
+  const tws::Antenna& antenna(std::size_t radar) const { return radars_[radar].antenna; }
+  const RadarQuality& quality(std::size_t radar) const { return radars_[radar].quality; }
+  /// Index of the reference radar.
+  std::size_t reference() const { return reference_; }
+
+  /// The radar stands there; before its first sector.
+  void place(std::size_t radar, const tws::SiteFrame& frame);
+  /// The radar's first sector is about to be processed. True: its site is a new one, the last of sites().
+  bool join(std::size_t radar);
+
+  /// Those whose radars have sent sectors, the first radar's always.
+  const std::vector<tws::SiteFrame>& sites() const { return sites_; }
+  bool severalSites() const { return sites_.size() > 1; }
+  /// Where each radar stands; the first radar's site as long as it has not joined.
+  std::vector<tws::SiteFrame> frames() const;
+
+ private:
+  std::vector<RadarState> radars_;
+  std::vector<tws::SiteFrame> sites_{tws::SiteFrame{}};
+  std::size_t reference_;
+};
+
+/// When slow tracks and moving clutter points are converted: on every eighth scan (`conversion.scans`), `offset` scans
+/// later for one than for the other. The least age [s] of a stored place for the comparison; nothing: not on this scan.
+std::optional<double> leastAgeToConvert(const ConversionParams& params, const tws::Antenna& antenna,
+                                        std::int64_t running, long offset);
+
+}  // namespace adit_tracker

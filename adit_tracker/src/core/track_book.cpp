@@ -1,0 +1,194 @@
+#include "core/track_book.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <tws_core/angles.h>
+#include <tws_core/sectors.h>
+
+namespace adit_tracker {
+
+TrackBook::TrackBook(const AditParams& params, const Radars& radars, AditCounts& counts)
+    : learn_noise_(params.learn_noise),
+      reference_from_start_(params.conversion.from_start),
+      radars_(radars),
+      counts_(counts),
+      tracks_(params.capacity),
+      motion_(params),
+      judge_(params),
+      heights_(params.elevation) {}
+
+void TrackBook::begin(const tws::SectorRef& sector, double enter_time) {
+  report_.radar = sector.radar;
+  report_.running = sector.running;
+  report_.enter_time = enter_time;
+  report_.skipped = false;
+  report_.words = by_hand_;
+  dropped_.clear();
+  for (const TrackWord& word : by_hand_) {
+    if (word.event == TrackEvent::kDropped) dropped_.push_back(word.slot);
+  }
+  by_hand_.clear();
+}
+
+void TrackBook::end() {
+  for (const auto slot : dropped_) {
+    heights_.remove(tracks_.at(slot).uid);
+    tracks_.drop(slot);
+  }
+}
+
+bool TrackBook::isDropped(Slot slot) const {
+  return !dropped_.empty() && std::find(dropped_.begin(), dropped_.end(), slot) != dropped_.end();
+}
+
+std::optional<TrackBook::Slot> TrackBook::create(std::size_t radar, const tws::Plot& plot) {
+  const auto slot = tracks_.start();
+  if (!slot) {
+    ++counts_.refused_tracks;
+    return std::nullopt;
+  }
+  Track& track = tracks_.at(*slot);
+  motion_.start(track, plot, radars_.quality(radar), radar);
+  judge_.started(track, radars_.quality(radar));
+  heights_.update(track.uid, plot);
+  track.apart = plot.time;
+  if (radars_.severalSites()) doubtOtherSites(track, radar);
+  const bool elsewhere = motion_.joined();
+  if (reference_from_start_) {
+    track.reference = {plot.time, elsewhere ? track.smoothed.range : plot.range,
+                       elsewhere ? track.smoothed.azimuth : plot.azimuth};
+  }
+  ++counts_.tracks_started;
+  return slot;
+}
+
+/// Whether a radar of another site sees the target at all, nobody knows yet.
+void TrackBook::doubtOtherSites(Track& track, std::size_t radar) const {
+  constexpr float kPerhaps = 0.3F;
+  for (std::size_t other = 0; other < radars_.size(); ++other) {
+    if (radars_.at(other).site != radars_.at(radar).site) track.detection_probability[other] = kPerhaps;
+  }
+}
+
+void TrackBook::start(Slot slot, std::size_t radar, double unwrapped_azimuth) {
+  Track& track = tracks_.at(slot);
+  track.updated[radar] = track.first_time;
+  track.illuminated[radar] = unwrapped_azimuth;
+  track.detected_by = static_cast<std::uint16_t>(1U << radar);
+  report_.words.push_back({slot, TrackEvent::kStarted, track.first_time});
+}
+
+void TrackBook::branch(Track& track, const Parting& parting, std::size_t radar) {
+  const Track& parent = tracks_.at(parting.parent);
+  motion_.branch(track, parent, parting, radar);
+  track.parent = parent.uid;
+  track.existence = track.first_existence = static_cast<float>(parting.chance);
+}
+
+/// Is the track settled and straight, so that its innovation shows the radar's own errors?
+bool TrackBook::tellsErrors(const Track& track, const tws::Plot& plot) const {
+  constexpr double kSurelyStraight = 0.9;
+  return learn_noise_ && std::isnan(plot.range_sigma) && !track.predicted.vague_height && track.firm &&
+         track.updates > kSettledUpdates &&
+         std::get<tws::MultipleModelFilter>(track.filter).straightProbability() > kSurelyStraight;
+}
+
+void TrackBook::update(Slot slot, const tws::SectorRef& sector, RadarQuality& quality, const tws::Plot& plot,
+                       const tws::Plot* merged, bool disputed) {
+  Track& track = tracks_.at(slot);
+  if (merged == nullptr && tellsErrors(track, plot)) {
+    const Prediction& p = track.predicted;
+    quality.learnErrors((plot.range - p.range) / std::sqrt(p.innovation.xx),
+                        p.range * tws::angularDifference(plot.azimuth, p.azimuth) / std::sqrt(p.innovation.yy));
+  }
+  const double log_likelihood = motion_.update(track, merged ? *merged : plot, quality, sector.radar);
+  if (merged == nullptr) {
+    track.apart = plot.time;
+    heights_.update(track.uid, plot);
+  }
+  track.coasting = false;
+  track.updated[sector.radar] = plot.time;
+  track.illuminated[sector.radar] = tws::Antenna::near(plot.azimuth, sector.running);
+  track.detected_by = static_cast<std::uint16_t>(track.detected_by | 1U << sector.radar);
+  if (judge_.updated(track, sector.radar, log_likelihood, quality, !disputed)) ++counts_.tracks_firm;
+  report_.words.push_back({slot, TrackEvent::kUpdated, track.smoothed.time});
+}
+
+void TrackBook::share(Slot slot, const tws::SectorRef& sector, const tws::Plot& plot, const tws::Plot& merged) {
+  Track& track = tracks_.at(slot);
+  const std::int32_t updates = track.updates;
+  if (updates > kSettledUpdates) {
+    motion_.update(track, merged, radars_.quality(sector.radar), sector.radar);
+    track.updated[sector.radar] = plot.time;
+  }
+  track.updates = updates;  // no evidence
+  judge_.hidden(track, plot.time);
+  track.coasting = false;
+  track.illuminated[sector.radar] = tws::Antenna::near(plot.azimuth, sector.running);
+  track.detected_by = static_cast<std::uint16_t>(track.detected_by | 1U << sector.radar);
+  report_.words.push_back({slot, TrackEvent::kUpdated, std::max(track.smoothed.time, plot.time)});
+}
+
+/// Is the target of one site beyond the reach of the other's radar? Then it is not missed there.
+bool TrackBook::outOfReach(const Track& track, const RadarQuality& quality) const {
+  constexpr double kRecently = 30.0;  // [s]
+  return radars_.severalSites() && track.predicted.range > quality.greatestRange() &&
+         track.predicted.time - track.last_update < kRecently;
+}
+
+bool TrackBook::miss(Slot slot, const tws::SectorRef& sector) {
+  Track& track = tracks_.at(slot);
+  track.illuminated[sector.radar] = tws::Antenna::near(track.predicted.azimuth, sector.running);
+  track.detected_by = static_cast<std::uint16_t>(track.detected_by & ~(1U << sector.radar));
+  if (outOfReach(track, radars_.quality(sector.radar))) return true;
+  track.coasting = true;
+  const double time = track.predicted.time;
+  const bool dropped = judge_.missed(track, sector.radar, time);
+  if (dropped) {
+    drop(slot, time);
+  } else {
+    report_.words.push_back({slot, TrackEvent::kCoasted, time});
+  }
+  return !dropped;
+}
+
+void TrackBook::drop(Slot slot, double time) {
+  report_.words.push_back({slot, TrackEvent::kDropped, time});
+  dropped_.push_back(slot);
+  ++counts_.tracks_dropped;
+}
+
+void TrackBook::dropByHand(Slot slot) {
+  tracks_.withdraw(slot);
+  reportByHand(slot, TrackEvent::kDropped);
+  ++counts_.tracks_dropped;
+}
+
+void TrackBook::join(const std::vector<tws::SiteFrame>& frames) {
+  const bool first_time = !motion_.joined();
+  motion_.join(frames);
+  if (!first_time) return;
+  for (const auto slot : living()) motion_.guessHeight(tracks_.at(slot));
+}
+
+Seen TrackBook::seenBy(Slot slot, std::size_t radar, double time) const {
+  if (motion_.joined()) return motion_.seenBy(tracks_.at(slot), radar, time);
+  const Kinematics k = extrapolate(slot, time).kinematics;
+  return {k.range, k.azimuth, k.azimuth_rate};
+}
+
+std::vector<TrackBook::Slot> TrackBook::living() const {
+  std::vector<Slot> all;
+  for (int sector = 0; sector < tws::kSectors; ++sector) tracks_.list(sector, all);
+  return all;
+}
+
+std::optional<TrackBook::Slot> TrackBook::find(std::uint32_t number) const {
+  for (const auto slot : living()) {
+    if (tracks_.at(slot).number == number) return slot;
+  }
+  return std::nullopt;
+}
+
+}  // namespace adit_tracker

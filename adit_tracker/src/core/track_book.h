@@ -1,0 +1,111 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "core/adit_counts.h"
+#include "core/radars.h"
+#include "core/track_file.h"
+#include "core/track_life.h"
+#include "core/track_motion.h"
+#include "elevation/height_file.h"
+
+namespace adit_tracker {
+
+/// What happened to a track when a sector was processed.
+enum class TrackEvent { kStarted, kUpdated, kCoasted, kDropped };
+
+struct TrackWord {
+  TrackFile::Slot slot;
+  TrackEvent event;
+  double time;  // of the detection, or of the illumination without one
+};
+
+/// One processed sector of one radar.
+struct SectorReport {
+  std::size_t radar = 0;
+  std::int64_t running = 0;
+  double enter_time = 0.0;
+  bool skipped = false;          // overflow: its detections were ignored
+  std::vector<TrackWord> words;  // valid during the call
+};
+
+/// The living tracks: starts, updates, coasts and drops them, and reports what became of each in the sector at hand.
+class TrackBook {
+ public:
+  using Slot = TrackFile::Slot;
+
+  /// `radars` and `counts` are to outlive it.
+  TrackBook(const AditParams& params, const Radars& radars, AditCounts& counts);
+
+  /// A sector is about to be processed: its report begins with what operators have done since the last one.
+  void begin(const tws::SectorRef& sector, double enter_time);
+  /// It is processed: what was dropped gives its number back.
+  void end();
+  /// Of the sector at hand, or processed last. Of radar 0 and at 0 s before the first one.
+  const SectorReport& latest() const { return report_; }
+  void markSkipped() { report_.skipped = true; }
+  /// Dropped in the sector at hand?
+  bool isDropped(Slot slot) const;
+
+  /// A new tentative track, in no sector yet; nothing: all numbers are in use, which is counted.
+  std::optional<Slot> create(std::size_t radar, const tws::Plot& plot);
+  /// The radar has detected a new track; its beam was there at an unwrapped azimuth.
+  void start(Slot slot, std::size_t radar, double unwrapped_azimuth);
+  /// A track that has just been started flies as its parent did.
+  void branch(Track& track, const Parting& parting, std::size_t radar);
+  /// The detection is the track's own, or `merged` says what it tells of one of the targets that share it.
+  /// `disputed`: what a clutter point on probation claims is no evidence of movement.
+  void update(Slot slot, const tws::SectorRef& sector, RadarQuality& quality, const tws::Plot& plot,
+              const tws::Plot* merged, bool disputed);
+  /// Illuminated and not detected by itself: another track's detection, which says `merged` of it, holds it.
+  void share(Slot slot, const tws::SectorRef& sector, const tws::Plot& plot, const tws::Plot& merged);
+  /// Illuminated and not detected: the track coasts by its stored velocities, or is dropped: false.
+  bool miss(Slot slot, const tws::SectorRef& sector);
+  void drop(Slot slot, double time);
+
+  /// By hand, between two sectors: its update comes with the next one.
+  void dropByHand(Slot slot);
+  void reportByHand(Slot slot, TrackEvent event) { by_hand_.push_back({slot, event, report_.enter_time}); }
+
+  /// Radars at more than one site take part, one frame a radar. Heights are guessed from then on.
+  void join(const std::vector<tws::SiteFrame>& frames);
+
+  const Track& at(Slot slot) const { return tracks_.at(slot); }
+  Track& at(Slot slot) { return tracks_.at(slot); }
+  std::uint32_t size() const { return tracks_.size(); }
+  /// Every living track, by sector.
+  std::vector<Slot> living() const;
+  /// The living track with that number; nothing: there is none.
+  std::optional<Slot> find(std::uint32_t number) const;
+  /// A track at any instant, by its filter.
+  Extrapolation extrapolate(Slot slot, double time) const { return motion_.at(tracks_.at(slot), time); }
+  /// Where that radar would measure it then.
+  Seen seenBy(Slot slot, std::size_t radar, double time) const;
+  /// Its height, where elevations have told it.
+  std::optional<Height> height(Slot slot, double time) const { return heights_.at(tracks_.at(slot).uid, time); }
+  /// Firm, and not in doubt after missed illuminations.
+  bool believed(const Track& track) const { return judge_.believed(track); }
+
+  TrackFile& file() { return tracks_; }
+  const TrackMotion& motion() const { return motion_; }
+
+ private:
+  bool tellsErrors(const Track& track, const tws::Plot& plot) const;
+  bool outOfReach(const Track& track, const RadarQuality& quality) const;
+  void doubtOtherSites(Track& track, std::size_t radar) const;
+
+  bool learn_noise_, reference_from_start_;
+  const Radars& radars_;
+  AditCounts& counts_;
+  TrackFile tracks_;
+  TrackMotion motion_;
+  TrackJudge judge_;
+  HeightFile heights_;
+  SectorReport report_;
+  std::vector<Slot> dropped_;
+  std::vector<TrackWord> by_hand_;
+};
+
+}  // namespace adit_tracker
