@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Clutter that comes and goes: how soon the map learns and forgets it, that nobody loses a track, and that a map that was saved is there in
-the next run, in replays too. The figures in adit_tracker/README.md rest on the same scenario."""
+the next run, in replays too. The figures in adit_tracker/doc/operators.md rest on the same scenario."""
 import collections
 import math
 import pathlib
