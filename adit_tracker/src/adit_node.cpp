@@ -13,14 +13,14 @@
 #include <optional>
 
 #include "adit_params_reader.h"
-#include "clutter/clutter_port.h"
+#include "clutter/clutter_interface.h"
 #include "core/adit.h"
-#include "elevation/elevation_port.h"
-#include "iff/iff_port.h"
+#include "elevation/elevation_interface.h"
+#include "iff/iff_interface.h"
 #include "io/radar_sites.h"
 #include "io/status_report.h"
 #include "io/track_messages.h"
-#include "operator/operator_port.h"
+#include "operator/operator_interface.h"
 
 namespace adit_tracker {
 namespace {
@@ -89,8 +89,8 @@ class AditNode::Impl {
         status_(bus.advertise<tws_msgs::TrackerStatus>("~status")),
         elevation_(bus, params_.adit),
         operators_(bus, params_.frame, params_.point_topic, operatorHost()),
-        clutter_port_(bus, operators_, params_.adit, params_.clutter_map,
-                      [this] { return adit_ && adit_->counts().sectors > 0 ? &*adit_ : nullptr; }),
+        clutter_interface_(bus, operators_, params_.adit, params_.clutter_map,
+                           [this] { return adit_ && adit_->counts().sectors > 0 ? &*adit_ : nullptr; }),
         iff_(bus, params_.frame, params_.adit.iff, params_.inputs.restart_limit),
         sites_(bus, params_.frame, namesOf(params_.adit), joinsSites(params_.adit),
                [this](std::size_t radar) -> const std::string& { return inputs_.frame(radar); }),
@@ -113,11 +113,11 @@ class AditNode::Impl {
     totals_ = AditCounts{};
     heard_.assign(params_.adit.radars.size(), -std::numeric_limits<double>::infinity());
     adit_.emplace(params_.adit, [this](const SectorReport& report) { publish(report); });
-    clutter_port_.beginRun();
+    clutter_interface_.beginRun();
     elevation_.begin(*adit_);
   }
 
-  OperatorPort::Host operatorHost() {
+  OperatorInterface::Host operatorHost() {
     return {[this](std::string& why) { return caughtUp(why); }, [this]() -> const Site& { return sites_.origin(); }};
   }
 
@@ -273,11 +273,11 @@ class AditNode::Impl {
   tws_runtime::Publisher<tws_msgs::Tracks> tracks_;
   tws_runtime::Publisher<tws_msgs::ClutterMap> clutter_;
   tws_runtime::Publisher<tws_msgs::TrackerStatus> status_;
-  ElevationPort elevation_;
-  OperatorPort operators_;
-  ClutterPort clutter_port_;
+  ElevationInterface elevation_;
+  OperatorInterface operators_;
+  ClutterInterface clutter_interface_;
   std::deque<std::pair<std::size_t, tws::RadarSector>> waiting_;
-  IffPort iff_;
+  IffInterface iff_;
   RadarSites sites_;
   std::uint32_t sequence_ = 0;
   AditCounts totals_;

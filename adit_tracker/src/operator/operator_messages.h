@@ -3,7 +3,7 @@
 #include <tws_msgs/OperatorRequest.h>
 #include <tws_runtime/conversions.h>
 
-#include "operator/operator_desk.h"
+#include "operator/operator_requests.h"
 
 namespace adit_tracker {
 

@@ -16,7 +16,7 @@
 namespace adit_tracker {
 
 /// Hears the plots of secondary radars for the IFF bit. They never hold up the radars.
-class IffPort {
+class IffInterface {
  public:
   /// Of each secondary radar so many sectors wait, four turns, for the primary radars to come so far; then the oldest
   /// is left out and counted. More than two turns are not needed: the bit goes after a turn and a half.
@@ -25,7 +25,8 @@ class IffPort {
   static constexpr std::size_t kPatience = std::size_t{2} * tws::kSectors;
 
   /// `restart_limit` as of the radars [s].
-  IffPort(tws_runtime::Bus& bus, const std::string& frame, const std::vector<IffParams>& params, double restart_limit);
+  IffInterface(tws_runtime::Bus& bus, const std::string& frame, const std::vector<IffParams>& params,
+               double restart_limit);
 
   /// The radars have gone back to this time [s]. What waits belongs to the old run, and so does what comes, until it
   /// has gone back too: it lies more than the restart limit ahead of the radars.

@@ -1,4 +1,4 @@
-#include "operator/operator_desk.h"
+#include "operator/operator_requests.h"
 
 #include <algorithm>
 #include <cmath>
@@ -133,7 +133,7 @@ OperatorAnswer onOne(Adit& adit, const OperatorRequest& request) {
 
 }  // namespace
 
-OperatorAnswer carryOut(Adit& adit, const OperatorRequest& request) {
+OperatorAnswer execute(Adit& adit, const OperatorRequest& request) {
   const auto target = [&](Slot slot) { return isTarget(adit, slot); };
   switch (request.action) {
     case OperatorAction::kHandOff:

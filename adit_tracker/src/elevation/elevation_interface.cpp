@@ -1,15 +1,15 @@
-#include "elevation/elevation_port.h"
+#include "elevation/elevation_interface.h"
 
 #include <tws_runtime/conversions.h>
 
 namespace adit_tracker {
 
-ElevationPort::ElevationPort(tws_runtime::Bus& bus, const AditParams& params)
-    : radar_(params.radars[ElevationDesk::radarOf(params)].name),
+ElevationInterface::ElevationInterface(tws_runtime::Bus& bus, const AditParams& params)
+    : radar_(params.radars[ElevationHandler::radarOf(params)].name),
       requests_(bus.advertise<tws_msgs::ElevationRequests>(radar_ + "/elevation_requests")) {}
 
-void ElevationPort::afterSector(Adit& adit, const SectorReport& report) {
-  const auto list = desk_->afterSector(adit, report);
+void ElevationInterface::afterSector(Adit& adit, const SectorReport& report) {
+  const auto list = handler_->afterSector(adit, report);
   if (!list) return;
   tws_msgs::ElevationRequests message;
   message.header.stamp = tws_runtime::toTime(list->time);

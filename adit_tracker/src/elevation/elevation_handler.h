@@ -25,12 +25,12 @@ struct ElevationList {
 /// Designated tracks → elevation searches (the report's ELEV), once a scan of one radar, when its antenna enters sector
 /// 61. The tracks are then as of its sector 56: the result depends on what was processed up to there and not on what
 /// else has arrived.
-class ElevationDesk {
+class ElevationHandler {
  public:
   /// The index of the radar that searches. The parameters must be good (see check).
   static std::size_t radarOf(const AditParams& params);
 
-  explicit ElevationDesk(const Adit& adit);
+  explicit ElevationHandler(const Adit& adit);
 
   /// To be called after each sector, while its words are valid. The list, when the sector makes it due. It may
   /// designate tracks (`elevation.automatic`).

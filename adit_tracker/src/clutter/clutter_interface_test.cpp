@@ -16,10 +16,10 @@ namespace {
 using Request = tws_msgs::OperatorRequest;
 
 /// A file of its own, gone afterwards.
-class ClutterPortTest : public testing::Test {
+class ClutterInterfaceTest : public testing::Test {
  protected:
-  ClutterPortTest() { std::filesystem::create_directories(folder_); }
-  ~ClutterPortTest() override { std::filesystem::remove_all(folder_); }
+  ClutterInterfaceTest() { std::filesystem::create_directories(folder_); }
+  ~ClutterInterfaceTest() override { std::filesystem::remove_all(folder_); }
 
   static tws_msgs::SaveClutterMap::Response save(NodeGraph& node, const std::string& path) {
     tws_msgs::SaveClutterMap::Request request;
@@ -62,13 +62,13 @@ class ClutterPortTest : public testing::Test {
     node.play(radars, 40.0, 120.0);
   }
 
-  const std::filesystem::path folder_ = std::filesystem::path(testing::TempDir()) / "adit_clutter_port_test";
+  const std::filesystem::path folder_ = std::filesystem::path(testing::TempDir()) / "adit_clutter_interface_test";
   const std::string path_ = folder_ / "map.csv";
   const std::string with_file_ = "{clutter_map: " + path_ + "}";
 };
 
 // If this fails, a map that was learned is lost with the run.
-TEST_F(ClutterPortTest, WhatIsSavedInOneRunIsThereInTheNextFromTheStart) {
+TEST_F(ClutterInterfaceTest, WhatIsSavedInOneRunIsThereInTheNextFromTheStart) {
   const RadarSectors radars = scene(100.0);
   NodeGraph first;
   first.play(radars, 0.0, 100.0);
@@ -94,7 +94,7 @@ TEST_F(ClutterPortTest, WhatIsSavedInOneRunIsThereInTheNextFromTheStart) {
 }
 
 // If this fails, a replay goes another way than the run, or needs a file that may be gone.
-TEST_F(ClutterPortTest, AReplayRepeatsALoadWithoutTheFileByteByByte) {
+TEST_F(ClutterInterfaceTest, AReplayRepeatsALoadWithoutTheFileByteByByte) {
   const RadarSectors radars = scene(120.0);
   for (const char* set : {"default", "nrl7952"}) {
     write(pointsInItsWay());
@@ -115,7 +115,7 @@ TEST_F(ClutterPortTest, AReplayRepeatsALoadWithoutTheFileByteByByte) {
   }
 }
 
-TEST_F(ClutterPortTest, AReplayRepeatsTheMapThatTheRunBeganWith) {
+TEST_F(ClutterInterfaceTest, AReplayRepeatsTheMapThatTheRunBeganWith) {
   const RadarSectors radars = scene(60.0);
   write("*,21000,280\n*,22500,278\n");
   NodeGraph run(with_file_);
@@ -138,7 +138,7 @@ TEST_F(ClutterPortTest, AReplayRepeatsTheMapThatTheRunBeganWith) {
   EXPECT_EQ(late.count("late recorded requests"), 1U);
 }
 
-TEST_F(ClutterPortTest, ANewRunBeginsWithTheMapAgain) {
+TEST_F(ClutterInterfaceTest, ANewRunBeginsWithTheMapAgain) {
   write("*,30000,300\n");
   const RadarSectors radars = scene(30.0);
   NodeGraph node(with_file_);
@@ -150,7 +150,7 @@ TEST_F(ClutterPortTest, ANewRunBeginsWithTheMapAgain) {
 }
 
 // Nothing of the first run has been processed: it takes five sectors of both radars.
-TEST_F(ClutterPortTest, ARunThatBeginsAgainBeforeItsFirstSectorHasTheMapToo) {
+TEST_F(ClutterInterfaceTest, ARunThatBeginsAgainBeforeItsFirstSectorHasTheMapToo) {
   write("*,30000,300\n");
   const RadarSectors radars = scene(41.0);
   NodeGraph node(with_file_);
@@ -164,7 +164,7 @@ TEST_F(ClutterPortTest, ARunThatBeginsAgainBeforeItsFirstSectorHasTheMapToo) {
 }
 
 // If this fails, an operator whose file was not loaded does not know it, or a bag does not.
-TEST_F(ClutterPortTest, AMapThatCannotBeLoadedOrSavedIsRefusedInWordsAndTheRefusalRepeated) {
+TEST_F(ClutterInterfaceTest, AMapThatCannotBeLoadedOrSavedIsRefusedInWordsAndTheRefusalRepeated) {
   const RadarSectors radars = scene(60.0);
   NodeGraph node, replay;
   EXPECT_EQ(save(node, path_).message, "no sector has been processed yet");
@@ -194,7 +194,7 @@ TEST_F(ClutterPortTest, AMapThatCannotBeLoadedOrSavedIsRefusedInWordsAndTheRefus
 }
 
 // If this fails, the node runs without the map that it was told to begin with.
-TEST_F(ClutterPortTest, AFileThatIsMissingOrBadStopsTheNodeWithOneLine) {
+TEST_F(ClutterInterfaceTest, AFileThatIsMissingOrBadStopsTheNodeWithOneLine) {
   const auto complaint = [&] {
     try {
       NodeGraph node(with_file_);

@@ -49,6 +49,6 @@ struct OperatorAnswer {
 /// Carries a request out between two sectors (the report's ALPNM). Tracks are looked at as of the sector processed
 /// last. Lists of targets hold the tracks that are no longer tentative. A track that has been dropped stays valid in
 /// the answer until the next sector.
-OperatorAnswer carryOut(Adit& adit, const OperatorRequest& request);
+OperatorAnswer execute(Adit& adit, const OperatorRequest& request);
 
 }  // namespace adit_tracker

@@ -9,18 +9,18 @@
 #include <vector>
 
 #include "clutter/clutter_places.h"
-#include "operator/operator_port.h"
+#include "operator/operator_interface.h"
 
 namespace adit_tracker {
 
 /// Saves and loads clutter maps: services, and the file that a run starts with. Loading goes through the operator's
 /// port, so that a replay repeats it, without the file.
-class ClutterPort {
+class ClutterInterface {
  public:
   /// `adit`: the tracker as it is; nullptr: it has not processed a sector yet. `file`: loaded at the start of each run;
   /// empty: none. Throws tws_runtime::ParameterError when it cannot be used.
-  ClutterPort(tws_runtime::Bus& bus, OperatorPort& operators, const AditParams& params, const std::string& file,
-              std::function<const Adit*()> adit);
+  ClutterInterface(tws_runtime::Bus& bus, OperatorInterface& operators, const AditParams& params,
+                   const std::string& file, std::function<const Adit*()> adit);
 
   /// A new run has begun.
   void beginRun();
@@ -29,7 +29,7 @@ class ClutterPort {
   bool save(const tws_msgs::SaveClutterMap::Request& request, tws_msgs::SaveClutterMap::Response& response) const;
   bool load(const tws_msgs::LoadClutterMap::Request& request, tws_msgs::LoadClutterMap::Response& response);
 
-  OperatorPort& operators_;
+  OperatorInterface& operators_;
   ClutterLimits limits_;
   std::function<const Adit*()> adit_;
   std::vector<ClutterPlace> at_start_;

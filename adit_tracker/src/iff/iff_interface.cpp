@@ -1,12 +1,12 @@
-#include "iff/iff_port.h"
+#include "iff/iff_interface.h"
 
 #include <tws_runtime/conversions.h>
 
 #include <tws_core/sectors.h>
 
 namespace adit_tracker {
-IffPort::IffPort(tws_runtime::Bus& bus, const std::string& frame, const std::vector<IffParams>& params,
-                 double restart_limit)
+IffInterface::IffInterface(tws_runtime::Bus& bus, const std::string& frame, const std::vector<IffParams>& params,
+                           double restart_limit)
     : bus_(bus), frame_(frame), restart_limit_(restart_limit), interrogators_(params.size()) {
   for (std::size_t i = 0; i < params.size(); ++i) {
     interrogators_[i].name = params[i].name;
@@ -15,7 +15,7 @@ IffPort::IffPort(tws_runtime::Bus& bus, const std::string& frame, const std::vec
   }
 }
 
-void IffPort::beginNewRun(double time) {
+void IffInterface::beginNewRun(double time) {
   radars_at_ = time;
   for (Interrogator& iff : interrogators_) {
     iff.waiting.clear();
@@ -23,7 +23,7 @@ void IffPort::beginNewRun(double time) {
   }
 }
 
-void IffPort::hear(Interrogator& iff, const tws_msgs::SsrPlots& message) {
+void IffInterface::hear(Interrogator& iff, const tws_msgs::SsrPlots& message) {
   iff.frame = message.header.frame_id;
   tws::RadarSector sector;
   sector.sector = message.sector % tws::kSectors;
@@ -43,7 +43,7 @@ void IffPort::hear(Interrogator& iff, const tws_msgs::SsrPlots& message) {
   await(iff, std::move(sector));
 }
 
-void IffPort::await(Interrogator& iff, tws::RadarSector sector) {
+void IffInterface::await(Interrogator& iff, tws::RadarSector sector) {
   iff.gone_back = iff.gone_back || sector.leave_time <= radars_at_ + restart_limit_;
   if (!iff.gone_back) {
     bus_.counter("messages of the old run")
@@ -60,7 +60,7 @@ void IffPort::await(Interrogator& iff, tws::RadarSector sector) {
 }
 
 /// Once for each secondary radar.
-bool IffPort::findSite(Interrogator& iff, const RadarSites& sites) {
+bool IffInterface::findSite(Interrogator& iff, const RadarSites& sites) {
   if (iff.site || iff.site_unknown) return true;
   const bool patient = iff.waiting.size() <= kPatience;
   std::string why;
@@ -73,7 +73,7 @@ bool IffPort::findSite(Interrogator& iff, const RadarSites& sites) {
   return true;
 }
 
-void IffPort::handOver(Adit& adit, const RadarSites& sites) {
+void IffInterface::handOver(Adit& adit, const RadarSites& sites) {
   for (std::size_t i = 0; i < interrogators_.size(); ++i) {
     Interrogator& iff = interrogators_[i];
     if (iff.waiting.empty() || !findSite(iff, sites)) continue;
@@ -92,7 +92,7 @@ void IffPort::handOver(Adit& adit, const RadarSites& sites) {
   }
 }
 
-void IffPort::leaveOut(const char* counter, std::size_t plots, const std::string& reason) {
+void IffInterface::leaveOut(const char* counter, std::size_t plots, const std::string& reason) {
   for (std::size_t i = 0; i < plots; ++i) bus_.counter(counter).add(reason);
 }
 

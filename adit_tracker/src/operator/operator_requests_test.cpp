@@ -1,4 +1,4 @@
-#include "operator/operator_desk.h"
+#include "operator/operator_requests.h"
 
 #include <gtest/gtest.h>
 
@@ -43,7 +43,7 @@ class OperatorDesk : public testing::Test {
     request.from = from;
     request.to = to;
     request.start = start;
-    return carryOut(adit(), request);
+    return execute(adit(), request);
   }
 
   OperatorAnswer order(OperatorAction action, std::uint32_t track, bool cancel = false) {
@@ -51,7 +51,7 @@ class OperatorDesk : public testing::Test {
     request.action = action;
     request.track = track;
     request.cancel = cancel;
-    return carryOut(adit(), request);
+    return execute(adit(), request);
   }
 
   OperatorAnswer startAt(double x, double y) {
@@ -59,7 +59,7 @@ class OperatorDesk : public testing::Test {
     request.action = OperatorAction::kInitiate;
     request.x = x;
     request.y = y;
-    return carryOut(adit(), request);
+    return execute(adit(), request);
   }
 
   /// The directions of the tracks, to the nearest degree.

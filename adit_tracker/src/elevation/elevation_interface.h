@@ -5,25 +5,25 @@
 
 #include <optional>
 
-#include "elevation/elevation_desk.h"
+#include "elevation/elevation_handler.h"
 
 namespace adit_tracker {
 
 /// What one radar shall search for goes out on its topic /RADAR/elevation_requests, once a scan, also when it is
 /// nothing: a simulated radar waits for it.
-class ElevationPort {
+class ElevationInterface {
  public:
-  ElevationPort(tws_runtime::Bus& bus, const AditParams& params);
+  ElevationInterface(tws_runtime::Bus& bus, const AditParams& params);
 
   /// A run begins. `adit` must outlive it.
-  void begin(const Adit& adit) { desk_.emplace(adit); }
+  void begin(const Adit& adit) { handler_.emplace(adit); }
   /// To be called after each sector, while its words are valid.
   void afterSector(Adit& adit, const SectorReport& report);
 
  private:
   std::string radar_;
   tws_runtime::Publisher<tws_msgs::ElevationRequests> requests_;
-  std::optional<ElevationDesk> desk_;
+  std::optional<ElevationHandler> handler_;
 };
 
 }  // namespace adit_tracker

@@ -1,5 +1,5 @@
 // The node in one process: what it hears of a secondary radar.
-#include "iff/iff_port.h"
+#include "iff/iff_interface.h"
 
 #include <gtest/gtest.h>
 #include <tws_msgs/SsrPlots.h>
@@ -10,7 +10,7 @@ namespace adit_tracker {
 namespace {
 
 /// Eight aircraft, of which four answer a secondary radar of 5 s at the radars' site.
-class IffPortTest : public testing::Test {
+class IffInterfaceTest : public testing::Test {
  protected:
   void SetUp() override {
     ssr_ = &node_.graph.addNode("ssr");
@@ -106,14 +106,14 @@ class IffPortTest : public testing::Test {
 };
 
 // If this fails, an operator takes who answers for who does not, or the other way round.
-TEST_F(IffPortTest, WhoAnswersHasTheBit) {
+TEST_F(IffInterfaceTest, WhoAnswersHasTheBit) {
   tellSite();
   play(0.0, 60.0);
   EXPECT_EQ(bits(25.0, 60.0), four_of_eight_);
   EXPECT_EQ(count("late IFF plots") + count("bad IFF plots") + count("dropped IFF sectors"), 0U);
 }
 
-TEST_F(IffPortTest, WhatIsAheadOfTheRadarsWaitsForThem) {
+TEST_F(IffInterfaceTest, WhatIsAheadOfTheRadarsWaitsForThem) {
   tellSite();
   play(0.0, 60.0, 8.0);
   EXPECT_EQ(bits(25.0, 60.0), four_of_eight_);
@@ -121,7 +121,7 @@ TEST_F(IffPortTest, WhatIsAheadOfTheRadarsWaitsForThem) {
 }
 
 // If this fails, a radar that stamps wrongly makes anybody answer.
-TEST_F(IffPortTest, PlotsThatMakeNoSenseAreCountedAndLeftOut) {
+TEST_F(IffInterfaceTest, PlotsThatMakeNoSenseAreCountedAndLeftOut) {
   tellSite();
   for (tws::RadarSector& sector : replies_)
     for (tws::Plot& plot : sector.plots) plot.time -= plot.time > 50.0 ? 2.5 : 0.0;
@@ -146,7 +146,7 @@ TEST_F(IffPortTest, PlotsThatMakeNoSenseAreCountedAndLeftOut) {
 }
 
 // If this fails, all plots of a radar whose site nobody told are laid around the first radar.
-TEST_F(IffPortTest, ASecondaryRadarWhoseSiteIsNeverToldIsLeftOutAndSaidOnce) {
+TEST_F(IffInterfaceTest, ASecondaryRadarWhoseSiteIsNeverToldIsLeftOutAndSaidOnce) {
   play(0.0, 60.0);
   tellSite();  // too late
   play(60.0, 90.0);
@@ -156,7 +156,7 @@ TEST_F(IffPortTest, ASecondaryRadarWhoseSiteIsNeverToldIsLeftOutAndSaidOnce) {
   EXPECT_EQ(count("late IFF plots"), 0U);
 }
 
-TEST_F(IffPortTest, ASiteThatIsToldWithinTwoTurnsIsInTime) {
+TEST_F(IffInterfaceTest, ASiteThatIsToldWithinTwoTurnsIsInTime) {
   play(0.0, 9.0);
   tellSite();
   play(9.0, 60.0);
@@ -165,18 +165,19 @@ TEST_F(IffPortTest, ASiteThatIsToldWithinTwoTurnsIsInTime) {
 }
 
 // If this fails, a node whose radars are dead grows until the machine is full.
-TEST_F(IffPortTest, WhileTheRadarsAreSilentTheOldestIsDropped) {
+TEST_F(IffInterfaceTest, WhileTheRadarsAreSilentTheOldestIsDropped) {
   tellSite();
   play(0.0, 20.0);
   const int sectors = answersAlone(20.0, 60.0);
-  EXPECT_NEAR(static_cast<double>(count("dropped IFF sectors")), sectors - static_cast<double>(IffPort::kMostWaiting),
+  EXPECT_NEAR(static_cast<double>(count("dropped IFF sectors")),
+              sectors - static_cast<double>(IffInterface::kMostWaiting),
               2.0);  // some of the last turn were waiting, too
   play(60.0, kEnd);
   EXPECT_EQ(bits(90.0, kEnd), four_of_eight_);
 }
 
 // If this fails, tracks of a new run answer with what was said in the old one.
-TEST_F(IffPortTest, WhatStillComesOfTheOldRunIsDropped) {
+TEST_F(IffInterfaceTest, WhatStillComesOfTheOldRunIsDropped) {
   tellSite();
   play(0.0, 60.0);
   node_.play(radars_, 0.0, 0.5);  // time has gone back

@@ -1,4 +1,4 @@
-#include "elevation/elevation_desk.h"
+#include "elevation/elevation_handler.h"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@ namespace adit_tracker {
 namespace {
 
 /// Radars of 6 and 8 s, of which the second one searches; its beam passes north at 0.5 + 8 n seconds.
-class ElevationDeskTest : public testing::Test {
+class ElevationHandlerTest : public testing::Test {
  protected:
   static constexpr double kEnd = 120.0;
 
@@ -24,7 +24,7 @@ class ElevationDeskTest : public testing::Test {
     }
     lists.clear();
     std::optional<Adit> adit;
-    std::optional<ElevationDesk> desk;
+    std::optional<ElevationHandler> handler;
     adit.emplace(params, [&](const SectorReport& report) {
       if (report.radar == 1 && report.enter_time >= designate_at) {
         for (const auto slot : adit->tracks().living()) {
@@ -35,9 +35,9 @@ class ElevationDeskTest : public testing::Test {
       for (const TrackWord& word : report.words) {
         if (word.event == TrackEvent::kDropped) dropped[adit->tracks().at(word.slot).number] = report.enter_time;
       }
-      if (auto list = desk->afterSector(*adit, report)) lists.push_back(*list);
+      if (auto list = handler->afterSector(*adit, report)) lists.push_back(*list);
     });
-    desk.emplace(*adit);
+    handler.emplace(*adit);
     std::mt19937_64 generator(seed);
     feed(*adit, radars, skew, generator);
   }
@@ -72,7 +72,7 @@ std::vector<TestTarget> twelve() {
 }
 
 // The radar waits for its list on each scan, also when nobody is designated.
-TEST_F(ElevationDeskTest, AListComesOnEachScanWhenTheAntennaEntersSector61) {
+TEST_F(ElevationHandlerTest, AListComesOnEachScanWhenTheAntennaEntersSector61) {
   fly({}, kEnd);
   ASSERT_EQ(lists.size(), 14U);
   for (std::size_t scan = 0; scan < lists.size(); ++scan) {
@@ -82,7 +82,7 @@ TEST_F(ElevationDeskTest, AListComesOnEachScanWhenTheAntennaEntersSector61) {
 }
 
 // The search begins 3° before the place where the beam will meet the aircraft, and looks at its range then.
-TEST_F(ElevationDeskTest, ASearchBeginsThreeDegreesBeforeTheAircraft) {
+TEST_F(ElevationHandlerTest, ASearchBeginsThreeDegreesBeforeTheAircraft) {
   const TestTarget target{60e3, 20e3, -200.0, 100.0};
   fly({target}, 70.0);
   int searches = 0;
@@ -101,7 +101,7 @@ TEST_F(ElevationDeskTest, ASearchBeginsThreeDegreesBeforeTheAircraft) {
 
 // 1° east of north: the radar begins at 358°, at the end of its turn, and meets the aircraft after the next north. An
 // interval at the range of a turn before would miss a fast one.
-TEST_F(ElevationDeskTest, ASearchAcrossNorthAimsAtTheMeetingAfterIt) {
+TEST_F(ElevationHandlerTest, ASearchAcrossNorthAimsAtTheMeetingAfterIt) {
   const TestTarget target{0.0, 100e3, 4.0, -400.0};
   fly({target}, 70.0);
   const auto first = std::find_if(lists.begin(), lists.end(), [](const auto& list) { return !list.searches.empty(); });
@@ -112,7 +112,7 @@ TEST_F(ElevationDeskTest, ASearchAcrossNorthAimsAtTheMeetingAfterIt) {
 }
 
 // A shift register that compares azimuths one after the other needs them in order.
-TEST_F(ElevationDeskTest, TwelveTracksGetTheirSearchesInOrderOfAzimuthAndNeverMoreThanEight) {
+TEST_F(ElevationHandlerTest, TwelveTracksGetTheirSearchesInOrderOfAzimuthAndNeverMoreThanEight) {
   fly(twelve(), 30.0);
   std::map<std::uint32_t, std::vector<double>> times;
   for (const ElevationList& list : lists) {
@@ -128,7 +128,7 @@ TEST_F(ElevationDeskTest, TwelveTracksGetTheirSearchesInOrderOfAzimuthAndNeverMo
 }
 
 // Replays and offline runs get their messages in another order: the radar must be sent to the same places.
-TEST_F(ElevationDeskTest, TheListsAreTheSameHoweverTheRadarsInterleave) {
+TEST_F(ElevationHandlerTest, TheListsAreTheSameHoweverTheRadarsInterleave) {
   fly(twelve(), 30.0);
   const std::string expected = bytes();
   for (std::uint64_t seed = 1; seed <= 10; ++seed) {
@@ -137,7 +137,7 @@ TEST_F(ElevationDeskTest, TheListsAreTheSameHoweverTheRadarsInterleave) {
   }
 }
 
-TEST_F(ElevationDeskTest, DroppedTracksLeaveTheLists) {
+TEST_F(ElevationHandlerTest, DroppedTracksLeaveTheLists) {
   TestTarget target{60e3, 20e3, -200.0, 100.0};
   target.to = 60.0;
   fly({target}, 40.0);
@@ -150,7 +150,7 @@ TEST_F(ElevationDeskTest, DroppedTracksLeaveTheLists) {
   EXPECT_EQ(after, 0U);
 }
 
-TEST_F(ElevationDeskTest, NobodyIsSearchedForUnlessDesignatedOrAutomatic) {
+TEST_F(ElevationHandlerTest, NobodyIsSearchedForUnlessDesignatedOrAutomatic) {
   designate = false;
   fly(twelve(), 30.0);
   for (const ElevationList& list : lists) EXPECT_TRUE(list.searches.empty());
@@ -163,7 +163,7 @@ TEST_F(ElevationDeskTest, NobodyIsSearchedForUnlessDesignatedOrAutomatic) {
   EXPECT_EQ(tracks.size(), 12U);
 }
 
-TEST_F(ElevationDeskTest, TheRadarIsTheReferenceRadarUnlessNamed) {
+TEST_F(ElevationHandlerTest, TheRadarIsTheReferenceRadarUnlessNamed) {
   params.elevation.radar = "r0";
   fly({}, kEnd);
   ASSERT_GT(lists.size(), 2U);

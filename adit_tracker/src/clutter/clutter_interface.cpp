@@ -1,4 +1,4 @@
-#include "clutter/clutter_port.h"
+#include "clutter/clutter_interface.h"
 
 #include <tws_runtime/parameters.h>
 
@@ -29,8 +29,8 @@ std::vector<ClutterPlace> readStart(const std::string& node, const std::string& 
 
 }  // namespace
 
-ClutterPort::ClutterPort(tws_runtime::Bus& bus, OperatorPort& operators, const AditParams& params,
-                         const std::string& file, std::function<const Adit*()> adit)
+ClutterInterface::ClutterInterface(tws_runtime::Bus& bus, OperatorInterface& operators, const AditParams& params,
+                                   const std::string& file, std::function<const Adit*()> adit)
     : operators_(operators), limits_(params), adit_(std::move(adit)), at_start_(readStart(bus.name(), file, limits_)) {
   bus.serve<tws_msgs::SaveClutterMap>("~save_clutter_map",
                                       [this](auto& request, auto& response) { return save(request, response); });
@@ -38,15 +38,15 @@ ClutterPort::ClutterPort(tws_runtime::Bus& bus, OperatorPort& operators, const A
                                       [this](auto& request, auto& response) { return load(request, response); });
 }
 
-void ClutterPort::beginRun() {
+void ClutterInterface::beginRun() {
   if (at_start_.empty()) return;
   Message message = operators_.blank(Message::LOAD_CLUTTER);
   message.clutter = clutterPoints(at_start_);
-  operators_.orderAtStart(message);
+  operators_.askAtStart(message);
 }
 
-bool ClutterPort::save(const tws_msgs::SaveClutterMap::Request& request,
-                       tws_msgs::SaveClutterMap::Response& response) const {
+bool ClutterInterface::save(const tws_msgs::SaveClutterMap::Request& request,
+                            tws_msgs::SaveClutterMap::Response& response) const {
   try {
     const Adit* const adit = adit_();
     if (adit == nullptr) throw std::runtime_error("no sector has been processed yet");
@@ -62,7 +62,8 @@ bool ClutterPort::save(const tws_msgs::SaveClutterMap::Request& request,
   return true;
 }
 
-bool ClutterPort::load(const tws_msgs::LoadClutterMap::Request& request, tws_msgs::LoadClutterMap::Response& response) {
+bool ClutterInterface::load(const tws_msgs::LoadClutterMap::Request& request,
+                            tws_msgs::LoadClutterMap::Response& response) {
   Message message = operators_.blank(Message::LOAD_CLUTTER);
   std::string path = request.path, problem;
   try {
@@ -71,7 +72,7 @@ bool ClutterPort::load(const tws_msgs::LoadClutterMap::Request& request, tws_msg
   } catch (const std::exception& error) {
     problem = error.what();
   }
-  operators_.order(message, problem);
+  message = operators_.ask(message, problem).message;
   response.success = message.result == Message::OK;
   response.count = message.count;
   response.message = message.message;

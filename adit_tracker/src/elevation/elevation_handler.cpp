@@ -1,4 +1,4 @@
-#include "elevation/elevation_desk.h"
+#include "elevation/elevation_handler.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,14 +21,14 @@ bool isDropped(const SectorReport& report, TrackFile::Slot slot) {
 
 }  // namespace
 
-std::size_t ElevationDesk::radarOf(const AditParams& params) {
+std::size_t ElevationHandler::radarOf(const AditParams& params) {
   return radarIndex(params, params.elevation.radar.empty() ? params.reference_radar : params.elevation.radar);
 }
 
-ElevationDesk::ElevationDesk(const Adit& adit)
+ElevationHandler::ElevationHandler(const Adit& adit)
     : radar_(radarOf(adit.params())), params_(adit.params().elevation), schedule_(params_) {}
 
-std::optional<ElevationList> ElevationDesk::afterSector(Adit& adit, const SectorReport& report) {
+std::optional<ElevationList> ElevationHandler::afterSector(Adit& adit, const SectorReport& report) {
   if (report.radar != radar_) return std::nullopt;
   for (const TrackWord& word : report.words) {
     if (word.event == TrackEvent::kUpdated || word.event == TrackEvent::kCoasted)
@@ -40,7 +40,7 @@ std::optional<ElevationList> ElevationDesk::afterSector(Adit& adit, const Sector
 }
 
 /// Once a scan, also when the sector itself is missing from the data.
-bool ElevationDesk::isDue(std::int64_t running) {
+bool ElevationHandler::isDue(std::int64_t running) {
   const std::int64_t scan = (running + tws::kSectors - kProcessedSector) / tws::kSectors;
   const bool in_time = running % tws::kSectors >= kProcessedSector;
   const bool due = in_time && (scan_ ? scan > *scan_ : running % tws::kSectors == kProcessedSector);
@@ -49,7 +49,7 @@ bool ElevationDesk::isDue(std::int64_t running) {
 }
 
 /// Those whom the operator has designated by now, by age of the track; nobody else stays.
-void ElevationDesk::updateDesignations(Adit& adit, const SectorReport& report) {
+void ElevationHandler::updateDesignations(Adit& adit, const SectorReport& report) {
   std::vector<ElevationSchedule::Uid> designated;
   for (const auto slot : adit.tracks().living()) {
     if (isDropped(report, slot)) continue;
@@ -64,7 +64,7 @@ void ElevationDesk::updateDesignations(Adit& adit, const SectorReport& report) {
   for (const auto uid : designated) schedule_.designate(uid);
 }
 
-ElevationList ElevationDesk::list(const Adit& adit, std::int64_t running) {
+ElevationList ElevationHandler::list(const Adit& adit, std::int64_t running) {
   ElevationList list;
   const std::int64_t entered = running - running % tws::kSectors + kListSector;
   list.time = adit.radars().antenna(radar_).timeAt(tws::Antenna::startOf(entered));
@@ -82,7 +82,7 @@ ElevationList ElevationDesk::list(const Adit& adit, std::int64_t running) {
 
 /// Where the beam meets the track on the turn that begins at the next north crossing. A search that begins just before
 /// the turn ends meets its target just after: that meeting counts.
-ElevationSearch ElevationDesk::search(const Adit& adit, TrackFile::Slot slot, std::int64_t running) const {
+ElevationSearch ElevationHandler::search(const Adit& adit, TrackFile::Slot slot, std::int64_t running) const {
   constexpr int kEnough = 4;  // steps; targets move little while the beam moves on by what they have moved
   const double north = tws::Antenna::startOf((running / tws::kSectors + 1) * tws::kSectors);
   const double earliest = north + params_.lead;

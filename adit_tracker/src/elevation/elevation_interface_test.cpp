@@ -1,4 +1,4 @@
-#include "elevation/elevation_port.h"
+#include "elevation/elevation_interface.h"
 
 #include <gtest/gtest.h>
 
@@ -8,9 +8,9 @@ namespace adit_tracker {
 namespace {
 
 /// The node, and the lists that it sends to the reference radar, r1.
-class ElevationPortTest : public testing::Test {
+class ElevationInterfaceTest : public testing::Test {
  protected:
-  ElevationPortTest() {
+  ElevationInterfaceTest() {
     graph.graph.addNode("listener")
         .subscribe<tws_msgs::ElevationRequests>("/r1/elevation_requests",
                                                 [this](const auto& list) { lists.push_back(list); });
@@ -22,7 +22,7 @@ class ElevationPortTest : public testing::Test {
 };
 
 // A simulated radar waits for the list that answers its mark: without the mark's very stamp it would wait in vain.
-TEST_F(ElevationPortTest, EachListBearsTheStampOfTheMarkOfSector61) {
+TEST_F(ElevationInterfaceTest, EachListBearsTheStampOfTheMarkOfSector61) {
   graph.play(radars, 0.0, 90.0);
   ASSERT_EQ(lists.size(), 11U);
   for (std::size_t scan = 0; scan < lists.size(); ++scan) {
@@ -33,7 +33,7 @@ TEST_F(ElevationPortTest, EachListBearsTheStampOfTheMarkOfSector61) {
   }
 }
 
-TEST_F(ElevationPortTest, ADesignatedTrackIsInTheNextListUntilTheDesignationIsCancelled) {
+TEST_F(ElevationInterfaceTest, ADesignatedTrackIsInTheNextListUntilTheDesignationIsCancelled) {
   graph.play(radars, 0.0, 50.0);
   const std::uint32_t track = graph.ask(tws_msgs::OperatorRequest::LIST_ALL).tracks.at(2).number;
   graph.ask(tws_msgs::OperatorRequest::DESIGNATE, track);
