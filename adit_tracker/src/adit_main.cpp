@@ -1,8 +1,4 @@
 #include <adit_tracker/adit_node.h>
-#include <tws_runtime/run.h>
+#include <tws_runtime/node_main.h>
 
-int main(int argc, char** argv) {
-  return tws_runtime::runNode(argc, argv, "adit", [](tws_runtime::Bus& bus) -> std::shared_ptr<void> {
-    return std::make_shared<adit_tracker::AditNode>(bus);
-  });
-}
+TWS_NODE(adit_tracker, adit_node, "adit", tws_runtime::nodeProgram<adit_tracker::AditNode>())

@@ -1,8 +1,4 @@
 #include <asterix_bridge/asterix_node.h>
-#include <tws_runtime/run.h>
+#include <tws_runtime/node_main.h>
 
-int main(int argc, char** argv) {
-  return tws_runtime::runFeedNode(argc, argv, "asterix", [](tws_runtime::Bus& bus) {
-    return std::make_unique<asterix_bridge::AsterixUdpNode>(bus);
-  });
-}
+TWS_NODE(asterix_bridge, asterix_udp_node, "asterix", tws_runtime::feedProgram<asterix_bridge::AsterixUdpNode>())

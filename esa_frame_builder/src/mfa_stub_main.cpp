@@ -1,8 +1,4 @@
 #include <esa_frame_builder/mfa_stub_node.h>
-#include <tws_runtime/run.h>
+#include <tws_runtime/node_main.h>
 
-int main(int argc, char** argv) {
-  return tws_runtime::runNode(argc, argv, "mfa_stub", [](tws_runtime::Bus& bus) -> std::shared_ptr<void> {
-    return std::make_shared<esa_frame_builder::MfaStubNode>(bus);
-  });
-}
+TWS_NODE(esa_frame_builder, mfa_stub_node, "mfa_stub", tws_runtime::nodeProgram<esa_frame_builder::MfaStubNode>())

@@ -1,11 +1,10 @@
-#include <tws_runtime/run.h>
+#include <tws_runtime/node_main.h>
 
 #include <iostream>
+#include <memory>
 
 #include "progress_node.h"
 
-int main(int argc, char** argv) {
-  return tws_runtime::runNode(argc, argv, "progress", [](tws_runtime::Bus& bus) {
-    return std::make_shared<tws_launch::ProgressNode>(bus, std::cout);
-  });
-}
+TWS_NODE(tws_launch, progress_node, "progress", tws_runtime::nodeProgram([](tws_runtime::Bus& bus) {
+           return std::make_shared<tws_launch::ProgressNode>(bus, std::cout);
+         }))

@@ -1,7 +1,4 @@
 #include <radar_sim/radar_sim_node.h>
-#include <tws_runtime/run.h>
+#include <tws_runtime/node_main.h>
 
-int main(int argc, char** argv) {
-  return tws_runtime::runSourceNode(
-      argc, argv, "radar_sim", [](tws_runtime::Bus& bus) { return std::make_unique<radar_sim::RadarSimNode>(bus); });
-}
+TWS_NODE(radar_sim, radar_sim_node, "radar_sim", tws_runtime::sourceProgram<radar_sim::RadarSimNode>())

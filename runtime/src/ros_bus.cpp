@@ -7,12 +7,17 @@
 #include <tf2_msgs/TFMessage.h>
 #include <tws_runtime/parameters.h>
 
+#include <algorithm>
+#include <atomic>
 #include <map>
+#include <mutex>
+#include <optional>
 #include <stdexcept>
 
 #include "any_message.h"
 #include "counter_set.h"
 #include "data_timers.h"
+#include "process_subscriptions.h"
 #include "static_transforms.h"
 #include "topic_name.h"
 #include "xml_rpc_tree.h"
@@ -87,6 +92,19 @@ std::uint8_t levelOf(Diagnosis::Level level) {
   return level == Diagnosis::Level::kWarning ? DiagnosticStatus::WARN : DiagnosticStatus::OK;
 }
 
+/// The static transforms of all nodes of this process: roscpp keeps one last message of a latched topic for all of
+/// them.
+struct ProcessTransforms {
+  std::mutex mutex;
+  tf2_msgs::TFMessage message;
+};
+
+/// Never destroyed: nodelets may go later than static objects.
+ProcessTransforms& processTransforms() {
+  static auto* const the_ones = new ProcessTransforms;
+  return *the_ones;
+}
+
 std::string withoutSlash(const std::string& name) { return name.empty() || name[0] != '/' ? name : name.substr(1); }
 
 }  // namespace
@@ -94,7 +112,7 @@ std::string withoutSlash(const std::string& name) { return name.empty() || name[
 class RosBus::Impl {
  public:
   explicit Impl(const ros::NodeHandle& private_handle)
-      : handle(private_handle),
+      : handle(withQueue(private_handle, queue)),
         name(withoutSlash(handle.getNamespace())),
         counters(name, [](const std::string& line) { ROS_WARN_STREAM(line); }),
         diagnostics(ros::NodeHandle(), handle, "/" + name) {
@@ -104,14 +122,10 @@ class RosBus::Impl {
         handle.createWallTimer(ros::WallDuration(1.0), [this](const auto&) { diagnostics.force_update(); }));
   }
 
-  ~Impl() { queue().removeByID(tasks()); }
-
-  ros::CallbackQueueInterface& queue() const {
-    ros::CallbackQueueInterface* const own = handle.getCallbackQueue();
-    return own ? *own : *ros::getGlobalCallbackQueue();
+  static ros::NodeHandle withQueue(ros::NodeHandle handle, ros::CallbackQueue& queue) {
+    handle.setCallbackQueue(&queue);
+    return handle;
   }
-  /// Under which this Bus' tasks stand in the queue.
-  std::uint64_t tasks() const { return reinterpret_cast<std::uintptr_t>(this); }
 
   std::string resolve(const std::string& topic) const { return handle.resolveName(absoluteName(name, topic)); }
 
@@ -134,18 +148,20 @@ class RosBus::Impl {
     while (const auto due = data_timers.takeBefore(now)) due->handler(due->deadline);
   }
 
+  std::atomic<bool> stopped{false};
+  ros::CallbackQueue queue;  // Before all that may still stand in it.
   ros::NodeHandle handle;
   std::string name;
   CounterSet counters;
   std::uint64_t reported_bad_news = 0;
   diagnostic_updater::Updater diagnostics;
   tf2::BufferCore transforms;
-  tf2_msgs::TFMessage static_transforms;
-  Publisher<tf2_msgs::TFMessage> static_transform_publisher;
+  std::optional<Publisher<tf2_msgs::TFMessage>> static_transform_publisher;
   DataTimers data_timers;
   std::map<std::string, std::shared_ptr<RosChannel>> channels;
   // Last, so that nothing is called while the rest goes.
   std::vector<ros::Subscriber> subscribers;
+  std::vector<ProcessSubscription> process_subscriptions;
   std::vector<ros::ServiceServer> services;
   std::vector<ros::WallTimer> wall_timers;
 };
@@ -173,14 +189,16 @@ YAML::Node RosBus::liveParameters() const {
 const tf2::BufferCore& RosBus::transforms() const { return impl_->transforms; }
 
 void RosBus::publishStaticTransform(const geometry_msgs::TransformStamped& transform) {
-  if (impl_->static_transforms.transforms.empty())
+  if (!impl_->static_transform_publisher)
     impl_->static_transform_publisher = advertise<tf2_msgs::TFMessage>("/tf_static", true);
-  addTransform(impl_->static_transforms, transform);
-  impl_->static_transform_publisher.publish(impl_->static_transforms);
+  ProcessTransforms& all = processTransforms();
+  const std::lock_guard<std::mutex> lock(all.mutex);
+  addTransform(all.message, transform);
+  impl_->static_transform_publisher->publish(all.message);
 }
 
 void RosBus::whenDrained(std::function<void()> handler) {
-  impl_->queue().addCallback(boost::make_shared<Task>(std::move(handler)), impl_->tasks());
+  impl_->queue.addCallback(boost::make_shared<Task>(std::move(handler)));
 }
 
 void RosBus::diagnose(const std::string& name, std::function<Diagnosis()> diagnosis) {
@@ -212,7 +230,26 @@ void RosBus::everyWall(double period_s, std::function<void()> handler) {
 
 std::uint32_t RosBus::subscribers(const std::string& topic) const {
   const auto found = impl_->channels.find(impl_->resolve(topic));
-  return found == impl_->channels.end() ? 0 : found->second->subscribers();
+  if (found == impl_->channels.end()) return 0;
+  // roscpp counts all subscribers of this process as one.
+  const std::uint32_t here = ProcessSubscription::count(found->first);
+  return found->second->subscribers() + (here > 0 ? here - 1 : 0);
+}
+
+void RosBus::spinFor(double wall_s) {
+  const ros::WallTime end = ros::WallTime::now() + ros::WallDuration(wall_s);
+  do {
+    impl_->queue.callAvailable(std::max(ros::WallDuration(0.0), end - ros::WallTime::now()));
+  } while (ok() && ros::WallTime::now() < end);
+}
+
+void RosBus::spinOne(double wall_s) { impl_->queue.callOne(ros::WallDuration(wall_s)); }
+
+bool RosBus::ok() const { return ros::ok() && !impl_->stopped; }
+
+void RosBus::stop() {
+  impl_->stopped = true;
+  whenDrained([] {});  // So that who waits for something to call need not wait on.
 }
 
 std::shared_ptr<Channel> RosBus::openChannel(const std::string& topic, bool latched, const MessageType& type) {
@@ -235,6 +272,7 @@ void RosBus::openSubscription(const std::string& topic, const MessageType& type,
   options.helper = boost::make_shared<AnySubscription>(type, std::move(handler));
   options.transport_hints = ros::TransportHints().tcpNoDelay();
   impl_->subscribers.push_back(impl_->handle.subscribe(options));
+  impl_->process_subscriptions.emplace_back(options.topic);
 }
 
 void RosBus::openService(const std::string& service, const ServiceType& type) {

@@ -1,5 +1,4 @@
-#include <ros/callback_queue.h>
-#include <ros/ros.h>
+#include <ros/console.h>
 #include <rosgraph_msgs/Clock.h>
 #include <tws_runtime/parameters.h>
 #include <tws_runtime/ros_bus.h>
@@ -16,14 +15,6 @@ constexpr double kClockPeriod = 0.02;  // [s of wall time]: /clock goes out at l
 
 constexpr double kMostMadeUp = 0.1;  // [s of wall time]
 
-/// Calls what waits, for at least this long.
-void spinFor(double wall_s) {
-  const ros::WallTime end = ros::WallTime::now() + ros::WallDuration(wall_s);
-  do {
-    ros::getGlobalCallbackQueue()->callAvailable(std::max(ros::WallDuration(0.0), end - ros::WallTime::now()));
-  } while (ros::ok() && ros::WallTime::now() < end);
-}
-
 /// The topics of `wanted` that have not got their subscribers yet, in words; empty: none.
 std::string missingSubscribers(const RosBus& bus, const std::vector<std::string>& wanted) {
   std::map<std::string, std::uint32_t> least;
@@ -34,30 +25,30 @@ std::string missingSubscribers(const RosBus& bus, const std::vector<std::string>
   return missing;
 }
 
-void waitForSubscribers(const RosBus& bus, const LiveOptions& options) {
+void waitForSubscribers(RosBus& bus, const LiveOptions& options) {
   const ros::WallTime end = ros::WallTime::now() + ros::WallDuration(options.wait_timeout);
   std::string missing = missingSubscribers(bus, options.wait_for);
-  while (ros::ok() && !missing.empty() && ros::WallTime::now() < end) {
-    spinFor(kClockPeriod);
+  while (bus.ok() && !missing.empty() && ros::WallTime::now() < end) {
+    bus.spinFor(kClockPeriod);
     missing = missingSubscribers(bus, options.wait_for);
   }
-  if (!missing.empty())
+  if (bus.ok() && !missing.empty())
     ROS_WARN_STREAM(bus.name() << ": too few subscribers after " << options.wait_timeout << " s: " << missing
                                << "; starting without them");
 }
 
 /// Serves callbacks until the commands are there by which the source's next step goes.
-void waitForCommands(Source& source, double timeout) {
+void waitForCommands(RosBus& bus, Source& source, double timeout) {
   const ros::WallTime end = ros::WallTime::now() + ros::WallDuration(timeout);
-  while (ros::ok() && !source.isReady() && ros::WallTime::now() < end)
-    ros::getGlobalCallbackQueue()->callOne(ros::WallDuration(kClockPeriod));
+  while (bus.ok() && !source.isReady() && ros::WallTime::now() < end) bus.spinOne(kClockPeriod);
   if (!source.isReady()) source.stopWaiting();
 }
 
 /// Data time that runs `rate` times as fast as the wall clock, and tells everybody.
 class PacedClock {
  public:
-  PacedClock(RosBus& bus, double rate) : publisher_(bus.advertise<rosgraph_msgs::Clock>("/clock")), rate_(rate) {}
+  PacedClock(RosBus& bus, double rate)
+      : bus_(bus), publisher_(bus.advertise<rosgraph_msgs::Clock>("/clock")), rate_(rate) {}
 
   /// From here on: it is `time` now.
   void start(ros::Time time) {
@@ -70,8 +61,8 @@ class PacedClock {
   /// messages of one topic would overtake those of another by seconds of data time.
   void waitUntil(ros::Time time) {
     if (wallUntil(time) < -kMostMadeUp) start(time);
-    for (double wait = wallUntil(time); wait > 0.0 && ros::ok(); wait = wallUntil(time)) {
-      spinFor(std::min(wait, kClockPeriod));
+    for (double wait = wallUntil(time); wait > 0.0 && bus_.ok(); wait = wallUntil(time)) {
+      bus_.spinFor(std::min(wait, kClockPeriod));
       tell(std::min(time, data_start_ + ros::Duration(rate_ * wallElapsed())));
     }
     tell(time);
@@ -88,6 +79,7 @@ class PacedClock {
     publisher_.publish(message);
   }
 
+  RosBus& bus_;
   Publisher<rosgraph_msgs::Clock> publisher_;
   double rate_;
   ros::Time data_start_;
@@ -106,6 +98,7 @@ LiveOptions readLiveOptions(const YAML::Node& tree, const std::string& where) {
   reader.number("wait_timeout", options.wait_timeout, 0.0, 3600.0);
   reader.number("command_timeout", options.command_timeout, 0.0, 3600.0);
   reader.number("linger", options.linger, 0.0, 3600.0);
+  reader.flag("required", options.required);
   reader.done();
   return options;
 }
@@ -116,21 +109,21 @@ void runLive(RosBus& bus, Source& source, const LiveOptions& options) {
   PacedClock clock(bus, options.rate);
   waitForSubscribers(bus, options);
   clock.start(*start);
-  for (auto next = start; next && ros::ok(); next = source.nextTime()) {
+  for (auto next = start; next && bus.ok(); next = source.nextTime()) {
     if ((*next - *start).toSec() > options.duration) break;
     clock.waitUntil(*next);
-    waitForCommands(source, options.command_timeout);
+    waitForCommands(bus, source, options.command_timeout);
     source.step();
-    spinFor(0.0);
+    bus.spinFor(0.0);
   }
-  if (ros::ok()) spinFor(options.linger);
+  if (bus.ok()) bus.spinFor(options.linger);
 }
 
 void runFeed(RosBus& bus, Feed& feed) {
   constexpr double kPollPeriod = 0.005;  // [s]
   Publisher<rosgraph_msgs::Clock> clock = bus.advertise<rosgraph_msgs::Clock>("/clock");
   ros::WallTime told;
-  while (ros::ok()) {
+  while (bus.ok()) {
     const std::optional<ros::Time> time = feed.poll();
     if (time && (ros::WallTime::now() - told).toSec() >= kClockPeriod) {
       rosgraph_msgs::Clock message;
@@ -138,7 +131,7 @@ void runFeed(RosBus& bus, Feed& feed) {
       clock.publish(message);
       told = ros::WallTime::now();
     }
-    spinFor(kPollPeriod);
+    bus.spinFor(kPollPeriod);
   }
 }
 

@@ -4,15 +4,35 @@
 #include <tws_runtime/run.h>
 
 #include <iostream>
+#include <utility>
 
 namespace tws_runtime {
-namespace {
 
-int runGuarded(int argc, char** argv, const std::string& name, const std::function<void(RosBus&)>& run) {
+Program nodeProgram(const NodeFactory& makeNode) {
+  return [makeNode](RosBus& bus) {
+    return [&bus, node = makeNode(bus)] {
+      while (bus.ok()) bus.spinFor(0.1);
+    };
+  };
+}
+
+Program sourceProgram(const SourceFactory& makeSource) {
+  return [makeSource](RosBus& bus) {
+    const LiveOptions options = readLiveOptions(bus.liveParameters(), bus.name() + "/live");
+    return [&bus, options, source = std::shared_ptr<Source>(makeSource(bus))] { runLive(bus, *source, options); };
+  };
+}
+
+Program feedProgram(const FeedFactory& makeFeed) {
+  return
+      [makeFeed](RosBus& bus) { return [&bus, feed = std::shared_ptr<Feed>(makeFeed(bus))] { runFeed(bus, *feed); }; };
+}
+
+int runProgram(int argc, char** argv, const std::string& name, const Program& program) {
   try {
     ros::init(argc, argv, name);
     RosBus bus{ros::NodeHandle("~")};
-    run(bus);
+    program(bus)();
     return 0;
   } catch (const ParameterError& error) {
     std::cerr << error.what() << std::endl;
@@ -21,30 +41,6 @@ int runGuarded(int argc, char** argv, const std::string& name, const std::functi
     std::cerr << name << ": " << error.what() << std::endl;
     return 1;
   }
-}
-
-}  // namespace
-
-int runNode(int argc, char** argv, const std::string& name, const NodeFactory& makeNode) {
-  return runGuarded(argc, argv, name, [&](RosBus& bus) {
-    const std::shared_ptr<void> node = makeNode(bus);
-    ros::spin();
-  });
-}
-
-int runSourceNode(int argc, char** argv, const std::string& name, const SourceFactory& makeSource) {
-  return runGuarded(argc, argv, name, [&](RosBus& bus) {
-    const LiveOptions options = readLiveOptions(bus.liveParameters(), bus.name() + "/live");
-    const std::unique_ptr<Source> source = makeSource(bus);
-    runLive(bus, *source, options);
-  });
-}
-
-int runFeedNode(int argc, char** argv, const std::string& name, const FeedFactory& makeFeed) {
-  return runGuarded(argc, argv, name, [&](RosBus& bus) {
-    const std::unique_ptr<Feed> feed = makeFeed(bus);
-    runFeed(bus, *feed);
-  });
 }
 
 }  // namespace tws_runtime

@@ -1,8 +1,5 @@
-#include <tws_runtime/run.h>
+#include <tws_runtime/node_main.h>
 
 #include "example_nodes.h"
 
-int main(int argc, char** argv) {
-  return tws_runtime::runSourceNode(
-      argc, argv, "numbers", [](tws_runtime::Bus& bus) { return std::make_unique<tws_runtime::NumbersSource>(bus); });
-}
+TWS_NODE(tws_runtime, numbers_node, "numbers", tws_runtime::sourceProgram<tws_runtime::NumbersSource>())

@@ -1,8 +1,5 @@
-#include <tws_runtime/run.h>
+#include <tws_runtime/node_main.h>
 
 #include "example_nodes.h"
 
-int main(int argc, char** argv) {
-  return tws_runtime::runNode(argc, argv, "relay",
-                              [](tws_runtime::Bus& bus) { return std::make_shared<tws_runtime::RelayNode>(bus); });
-}
+TWS_NODE(tws_runtime, relay_node, "relay", tws_runtime::nodeProgram<tws_runtime::RelayNode>())

@@ -1,10 +1,11 @@
 #include <diagnostic_msgs/DiagnosticArray.h>
 #include <gtest/gtest.h>
-#include <ros/callback_queue.h>
+#include <nodelet/loader.h>
 #include <ros/ros.h>
 #include <rosgraph_msgs/Clock.h>
 #include <tws_runtime/local_graph.h>
 #include <tws_runtime/lock_step.h>
+#include <tws_runtime/nodelet.h>
 #include <tws_runtime/ros_bus.h>
 #include <tws_runtime/run.h>
 
@@ -154,18 +155,10 @@ TEST_F(RosBusTest, CountersShowInTheDiagnostics) {
   EXPECT_EQ(values["sevens"], "4");
 }
 
-/// A Bus on a handle with a queue of its own, as a nodelet gets it.
-struct OwnQueue {
-  explicit OwnQueue(const std::string& name) : handle("/" + name) { handle.setCallbackQueue(&queue); }
-  ros::CallbackQueue queue;
-  ros::NodeHandle handle;
-};
-
-// If this fails, the nodes cannot run as nodelets, or are called from the wrong thread.
-TEST_F(RosBusTest, ANodeRunsOnAHandleWithAQueueOfItsOwn) {
+// If this fails, nodelets are called from a thread of their manager, several at a time.
+TEST_F(RosBusTest, ANodeIsCalledByItsOwnThreadOnly) {
   ros::param::set("/nodelet/gain", 2);
-  OwnQueue own("nodelet");
-  RosBus bus(own.handle);
+  RosBus bus(ros::NodeHandle("/nodelet"));
   const RelayNode node(bus);
   EXPECT_EQ(bus.name(), "nodelet");
   tws_msgs::Detections number;
@@ -177,7 +170,7 @@ TEST_F(RosBusTest, ANodeRunsOnAHandleWithAQueueOfItsOwn) {
   ros::spinOnce();
   EXPECT_TRUE(answers.empty()) << "called from the global queue";
   EXPECT_TRUE(waitFor([&] {
-    own.queue.callAvailable();
+    bus.spinFor(0.0);
     return !answers.empty();
   }));
   EXPECT_EQ(answers, std::vector<std::uint32_t>{42});
@@ -185,26 +178,38 @@ TEST_F(RosBusTest, ANodeRunsOnAHandleWithAQueueOfItsOwn) {
 
 // If this fails, nodelets copy every message.
 TEST_F(RosBusTest, BetweenNodesOfOneProcessMessagesAreNotCopied) {
-  OwnQueue first("first");
-  OwnQueue second("second");
-  RosBus sender(first.handle);
-  RosBus receiver(second.handle);
+  RosBus sender(ros::NodeHandle("/first"));
+  RosBus receiver(ros::NodeHandle("/second"));
   Publisher<tws_msgs::Detections> publisher = sender.advertise<tws_msgs::Detections>("/shared");
   const tws_msgs::Detections* received = nullptr;
   receiver.subscribe<tws_msgs::Detections>("/shared", [&](const auto& message) { received = &message; });
   const auto message = boost::make_shared<const tws_msgs::Detections>();
   publisher.publish(message);
   EXPECT_TRUE(waitFor([&] {
-    second.queue.callAvailable();
+    receiver.spinFor(0.0);
     return received != nullptr;
   }));
   EXPECT_EQ(received, message.get());
 }
 
+// If this fails, a source waits in vain for its listeners when the graph runs as nodelets: roscpp counts a process
+// once.
+TEST_F(RosBusTest, SubscribersOfTheSameProcessAreCountedOneByOne) {
+  RosBus sender(ros::NodeHandle("/first"));
+  const auto publisher = sender.advertise<tws_msgs::Detections>("/counted");
+  EXPECT_EQ(sender.subscribers("/counted"), 0u);
+  {
+    RosBus receiver(ros::NodeHandle("/second"));
+    receiver.subscribe<tws_msgs::Detections>("/counted", [](const auto&) {});
+    sender.subscribe<tws_msgs::Detections>("/counted", [](const auto&) {});
+    EXPECT_EQ(sender.subscribers("/counted"), 2u);
+  }
+  EXPECT_EQ(sender.subscribers("/counted"), 1u);
+}
+
 // If this fails, two nodes that disagree about a topic's type talk past each other.
 TEST_F(RosBusTest, ATopicOfAnotherTypeIsRefused) {
-  OwnQueue own("types");
-  RosBus bus(own.handle);
+  RosBus bus(ros::NodeHandle("/types"));
   const auto publisher = bus.advertise<tws_msgs::Detections>("/typed");
   EXPECT_THROW(bus.advertise<std_msgs::Header>("/typed"), std::runtime_error);
 }
@@ -297,6 +302,60 @@ TEST_F(RosBusTest, AClosedLoopGoesOnWithoutCommandsAfterOneWaitInVain) {
   EXPECT_EQ(source.steps, 5);
   EXPECT_EQ(source.waits_in_vain, 1);
   EXPECT_EQ(source.in_force, std::vector<double>{1.0});
+}
+
+/// Numbers and relay as nodelets of this process. roscpp keeps one list of parameters, so their names differ from those
+/// of the programs.
+class NodeletTest : public ::testing::Test {
+ protected:
+  static boost::shared_ptr<nodelet::Nodelet> make(const std::string& type) {
+    return boost::make_shared<Nodelet>(type == "numbers" ? sourceProgram<NumbersSource>() : nodeProgram<RelayNode>());
+  }
+  bool load(const std::string& name, const std::string& type) {
+    const std::map<std::string, std::string> remaps{{"/numbers", "/nodelets/numbers"}};
+    return loader.load(name, type, remaps, {});
+  }
+
+  nodelet::Loader loader{boost::function<boost::shared_ptr<nodelet::Nodelet>(const std::string&)>(make)};
+};
+
+// If this fails, a graph in one manager tells other tracks than the same graph in programs of its own.
+TEST_F(NodeletTest, NodeletsGiveTheSameBytesAsOneProcessWithoutAMaster) {
+  ros::NodeHandle node;
+  std::vector<Bytes> heard;
+  const ros::Subscriber out = listen<tws_msgs::Detections>(
+      node, "/nodelets/relay/out", [&](const auto& message) { heard.push_back(bytesOf(message)); });
+  ros::param::set("/nodelets/relay/gain", 3);
+  ros::param::set("/nodelets/source/live/rate", 20);
+  ASSERT_TRUE(load("/nodelets/relay", "relay"));
+  EXPECT_TRUE(waitFor([&] { return out.getNumPublishers() > 0; }));
+  ASSERT_TRUE(load("/nodelets/source", "numbers"));
+  EXPECT_TRUE(waitFor([&] { return heard.size() >= NumbersSource::kCount; }));
+  EXPECT_EQ(heard, runInOneProcess().out);
+}
+
+// If this fails, one wrong parameter takes all nodes of a manager with it, or is not noticed.
+TEST_F(NodeletTest, AWrongParameterKeepsItsOwnNodeletFromLoading) {
+  ros::param::set("/nodelets/wrong/gain", 1000);
+  EXPECT_FALSE(load("/nodelets/wrong", "relay"));
+  ros::param::set("/nodelets/right/gain", 1);
+  EXPECT_TRUE(load("/nodelets/right", "relay"));
+  EXPECT_EQ(loader.listLoadedNodelets(), std::vector<std::string>{"/nodelets/right"});
+}
+
+// If this fails, unloading a simulator in its run hangs the manager or leaves a thread that writes into freed memory.
+TEST_F(NodeletTest, ASourceIsUnloadedInTheMiddleOfItsRun) {
+  ros::NodeHandle node;
+  int heard = 0;
+  const ros::Subscriber numbers =
+      listen<tws_msgs::Detections>(node, "/nodelets/numbers", [&](const auto&) { ++heard; });
+  ros::param::set("/nodelets/slow/live/rate", 0.1);
+  ASSERT_TRUE(load("/nodelets/slow", "numbers"));
+  EXPECT_TRUE(waitFor([&] { return heard > 0; }));
+  const ros::WallTime start = ros::WallTime::now();
+  EXPECT_TRUE(loader.unload("/nodelets/slow"));
+  EXPECT_LT((ros::WallTime::now() - start).toSec(), 1.0);
+  EXPECT_EQ(numbers.getNumPublishers(), 0u);
 }
 
 }  // namespace

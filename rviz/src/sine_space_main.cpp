@@ -1,7 +1,4 @@
-#include <tws_runtime/run.h>
+#include <tws_runtime/node_main.h>
 #include <tws_rviz/sine_space_node.h>
 
-int main(int argc, char** argv) {
-  return tws_runtime::runNode(argc, argv, "sine_space",
-                              [](tws_runtime::Bus& bus) { return std::make_shared<tws_rviz::SineSpaceNode>(bus); });
-}
+TWS_NODE(tws_rviz, sine_space_node, "sine_space", tws_runtime::nodeProgram<tws_rviz::SineSpaceNode>())

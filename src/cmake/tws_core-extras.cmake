@@ -41,6 +41,7 @@ function(tws_library)
   include_directories(SYSTEM ${catkin_INCLUDE_DIRS} ${EIGEN3_INCLUDE_DIRS} ${Boost_INCLUDE_DIRS})
   if(arg_STATIC)
     add_library(${PROJECT_NAME} STATIC ${arg_UNPARSED_ARGUMENTS})
+    set_target_properties(${PROJECT_NAME} PROPERTIES POSITION_INDEPENDENT_CODE ON) # Nodelets are shared libraries.
   else()
     add_library(${PROJECT_NAME} ${arg_UNPARSED_ARGUMENTS})
     install(TARGETS ${PROJECT_NAME}
@@ -72,9 +73,24 @@ function(tws_program name)
 endfunction()
 
 # tws_node(NAME SOURCE)
-# A node of the package's library, with its main() in SOURCE.
+# A node of the package's library, by TWS_NODE (tws_runtime/node_main.h) in SOURCE: the program NAME, and the nodelet class
+# PACKAGE/NAMElet in the library PACKAGE_nodelets. nodelet_plugins.xml must have an entry for it.
 function(tws_node name source)
   tws_program(${name} ${source})
+  file(STRINGS ${PROJECT_SOURCE_DIR}/nodelet_plugins.xml entry REGEX "name=\"${PROJECT_NAME}/${name}let\"")
+  if(NOT entry)
+    message(FATAL_ERROR "nodelet_plugins.xml of ${PROJECT_NAME} lacks the class ${PROJECT_NAME}/${name}let")
+  endif()
+  set(nodelets ${PROJECT_NAME}_nodelets)
+  if(TARGET ${nodelets})
+    target_sources(${nodelets} PRIVATE ${PROJECT_SOURCE_DIR}/${source})
+    return()
+  endif()
+  add_library(${nodelets} ${PROJECT_SOURCE_DIR}/${source})
+  target_compile_definitions(${nodelets} PRIVATE TWS_NODELET)
+  target_link_libraries(${nodelets} ${PROJECT_NAME})
+  install(TARGETS ${nodelets} LIBRARY DESTINATION ${CATKIN_PACKAGE_LIB_DESTINATION})
+  install(FILES nodelet_plugins.xml DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION})
 endfunction()
 
 # tws_share(PATH...)
@@ -87,6 +103,17 @@ function(tws_share)
       install(FILES ${path} DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION})
     endif()
   endforeach()
+endfunction()
+
+# tws_launch_folder([IGNORE_UNSET_ARGS])
+# Installs launch/, in which each node of the package has a launch file, and has roslaunch check these. IGNORE_UNSET_ARGS: some
+# of them must be told something.
+function(tws_launch_folder)
+  install(DIRECTORY launch DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION})
+  if(CATKIN_ENABLE_TESTING)
+    find_package(roslaunch REQUIRED)
+    roslaunch_add_file_check(launch ${ARGN})
+  endif()
 endfunction()
 
 # tws_tests(SOURCE... [DEFINE MACRO="TEXT"...] [LINK LIBRARY...])

@@ -1,8 +1,5 @@
 #include <track_correlator/ssr_tracker_node.h>
-#include <tws_runtime/run.h>
+#include <tws_runtime/node_main.h>
 
-int main(int argc, char** argv) {
-  return tws_runtime::runNode(argc, argv, "ssr_tracker", [](tws_runtime::Bus& bus) -> std::shared_ptr<void> {
-    return std::make_shared<track_correlator::SsrTrackerNode>(bus);
-  });
-}
+TWS_NODE(track_correlator, ssr_tracker_node, "ssr_tracker",
+         tws_runtime::nodeProgram<track_correlator::SsrTrackerNode>())

@@ -1,8 +1,5 @@
 #include <track_correlator/track_correlator_node.h>
-#include <tws_runtime/run.h>
+#include <tws_runtime/node_main.h>
 
-int main(int argc, char** argv) {
-  return tws_runtime::runNode(argc, argv, "track_correlator", [](tws_runtime::Bus& bus) -> std::shared_ptr<void> {
-    return std::make_shared<track_correlator::TrackCorrelatorNode>(bus);
-  });
-}
+TWS_NODE(track_correlator, track_correlator_node, "track_correlator",
+         tws_runtime::nodeProgram<track_correlator::TrackCorrelatorNode>())

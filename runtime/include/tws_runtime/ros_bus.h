@@ -10,15 +10,15 @@
 
 namespace tws_runtime {
 
-/// The Bus over roscpp. All queues are unbounded. One thread must serve the handle's callback queue: ros::spin(),
-/// runLive(), or a nodelet's single-threaded private handle.
+/// The Bus over roscpp. All queues are unbounded. It has a callback queue of its own, which one thread must serve by
+/// spinFor() or spinOne(): that of the program's main(), or the one that each nodelet has.
 ///
 /// Counters go to /diagnostics once a second of wall time: WARN when anything was counted with a reason since the last
 /// time.
 class RosBus : public Bus {
  public:
-  /// `private_handle` gives the node's name, parameters and callback queue: ros::NodeHandle("~"), or
-  /// getPrivateNodeHandle() of a nodelet. ros::init must have been called.
+  /// `private_handle` gives the node's name, parameters and remaps: ros::NodeHandle("~"), or getPrivateNodeHandle() of
+  /// a nodelet. ros::init must have been called.
   explicit RosBus(const ros::NodeHandle& private_handle);
   ~RosBus() override;
 
@@ -36,9 +36,19 @@ class RosBus : public Bus {
 
   /// The sub-tree `live` of the private parameters, which parameters() leaves out; see LiveOptions.
   YAML::Node liveParameters() const;
-  /// How many subscribers this node's publisher of `topic` has; 0 when it does not publish there.
+  /// How many subscribers this node's publisher of `topic` has, those of the same process included; 0 when it does not
+  /// publish there.
   std::uint32_t subscribers(const std::string& topic) const;
   std::vector<CounterReading> counters() const;
+
+  /// Calls what waits and what comes meanwhile, for at least `wall_s` [s of wall time], >= 0, or until ok() says false.
+  void spinFor(double wall_s);
+  /// Calls the next thing that waits or comes within `wall_s` [s of wall time], >= 0.
+  void spinOne(double wall_s);
+  /// Says false once the node should end: ROS shuts down, or stop() was called.
+  bool ok() const;
+  /// May be called from any thread.
+  void stop();
 
  protected:
   std::shared_ptr<Channel> openChannel(const std::string& topic, bool latched, const MessageType& type) override;

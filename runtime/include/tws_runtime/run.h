@@ -16,7 +16,8 @@ namespace tws_runtime {
 class LocalGraph;
 class RosBus;
 
-/// How runLive paces a source. A source node reads it from its private parameters under `live`, e.g. ~live/rate.
+/// How runLive paces a source. A source node reads it from its private parameters under `live`, e.g. ~live/rate; of
+/// other nodes only `required` means something.
 struct LiveOptions {
   double rate = 1.0;  ///< Data time over wall time, >= 0; 0: as fast as possible.
   double duration = std::numeric_limits<double>::infinity();  ///< At most so much data time [s], > 0.
@@ -25,18 +26,19 @@ struct LiveOptions {
   double wait_timeout = 10.0;  ///< Go on after so much wall time [s], >= 0, with a warning that names the topics.
   double command_timeout = 1.0;  ///< How long a step may wait for the commands by which it goes [s of wall time], >= 0.
   double linger = 2.0;           ///< Wall time after the end [s], >= 0, so that the last messages reach everybody.
+  bool required = false;         ///< Of a nodelet: its manager ends with it, as roslaunch does with a required node.
 };
 
-/// Reads and checks the keys rate, duration, wait_for, wait_timeout, command_timeout and linger. Throws ParameterError.
+/// Reads and checks the keys, which are the members' names. Throws ParameterError.
 LiveOptions readLiveOptions(const YAML::Node& tree, const std::string& where);
 
 /// Steps `source` in time with the wall clock and publishes /clock at each step and at least 50 times a second of wall
 /// time. Handlers, timers and services of the Bus are called in between. Returns when the source or the duration has
-/// ended, or ROS shuts down.
+/// ended, or bus.ok() says false.
 void runLive(RosBus& bus, Source& source, const LiveOptions& options);
 
 /// Polls `feed` every few milliseconds of wall time and publishes its data time on /clock. Handlers, timers and
-/// services of the Bus are called in between. Returns when ROS shuts down.
+/// services of the Bus are called in between. Returns when bus.ok() says false.
 void runFeed(RosBus& bus, Feed& feed);
 
 /// Steps the sources of a graph as fast as possible, the one with the earliest next time first (of equal ones the first
@@ -50,12 +52,33 @@ using NodeFactory = std::function<std::shared_ptr<void>(Bus& bus)>;
 using SourceFactory = std::function<std::unique_ptr<Source>(Bus& bus)>;
 using FeedFactory = std::function<std::unique_ptr<Feed>(Bus& bus)>;
 
-/// The whole of a node's main(): runs it over roscpp until ROS shuts down. Returns the exit status: 0, 2 after a
-/// ParameterError, 1 after any other exception; the reason has gone to the standard error in one line.
-int runNode(int argc, char** argv, const std::string& name, const NodeFactory& makeNode);
-/// The same for a node that is a source: runs it by runLive with the options under ~live, and ends with it.
-int runSourceNode(int argc, char** argv, const std::string& name, const SourceFactory& makeSource);
-/// The same for a node that is a feed: runs it by runFeed.
-int runFeedNode(int argc, char** argv, const std::string& name, const FeedFactory& makeFeed);
+/// Makes a node and returns what runs it: the call serves the Bus and comes back when the node has ended or bus.ok()
+/// says false. Throws what the node's constructor throws, e.g. ParameterError.
+using Program = std::function<std::function<void()>(RosBus& bus)>;
+
+/// A node that answers what it hears, and never ends by itself.
+Program nodeProgram(const NodeFactory& makeNode);
+/// A source, run by runLive with the options under ~live.
+Program sourceProgram(const SourceFactory& makeSource);
+/// A feed, run by runFeed.
+Program feedProgram(const FeedFactory& makeFeed);
+
+/// The same for a class that is made of its Bus alone.
+template <class Node>
+Program nodeProgram() {
+  return nodeProgram([](Bus& bus) -> std::shared_ptr<void> { return std::make_shared<Node>(bus); });
+}
+template <class Node>
+Program sourceProgram() {
+  return sourceProgram([](Bus& bus) { return std::make_unique<Node>(bus); });
+}
+template <class Node>
+Program feedProgram() {
+  return feedProgram([](Bus& bus) { return std::make_unique<Node>(bus); });
+}
+
+/// The whole of a node's main() (node_main.h writes it): runs the program over roscpp. Returns the exit status: 0, 2
+/// after a ParameterError, 1 after any other exception; the reason has gone to the standard error in one line.
+int runProgram(int argc, char** argv, const std::string& name, const Program& program);
 
 }  // namespace tws_runtime
