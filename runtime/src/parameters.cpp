@@ -264,7 +264,7 @@ std::string ParameterReader::pathTo(const std::string& key) const { return path_
 void scaledNumber(ParameterReader& reader, const std::string& key, double& value, double unit, double least,
                   double greatest) {
   if (!reader.has(key)) return reader.number(key, value, least, greatest);
-  double read = 0.0;
+  double read = value / unit;
   reader.number(key, read, least, greatest);
   value = read * unit;
 }

@@ -265,7 +265,7 @@ TEST(TrackCorrelatorNode, LoadsTheShippedFileAndRefusesUnknownParameters) {
   EXPECT_THROW(Graph("{schema: plain}"), tws_runtime::ParameterError);
   EXPECT_THROW(Graph("{scheme: fast}"), tws_runtime::ParameterError);
   EXPECT_THROW(Graph("{delay_sectors: 1}"), tws_runtime::ParameterError);
-  EXPECT_THROW(Graph("{secondary: /adit/tracks}"), tws_runtime::ParameterError);
+  EXPECT_THROW(Graph("{secondary: adit/tracks}"), tws_runtime::ParameterError);
 }
 
 }  // namespace
