@@ -176,7 +176,8 @@ def header_folders():
     said = subprocess.run(["g++", "-E", "-v", "-x", "c++", "/dev/null"], stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
     listed = said.stderr.split("search starts here:")[-1].split("End of search")[0].split()
     folders = [pathlib.Path(folder).resolve() for folder in listed]
-    return folders + [pathlib.Path("/usr/include", name) for name in ("eigen3", "x86_64-linux-gnu/qt5", "xmlrpcpp")]
+    # Some packages have a folder of their own, which their CMake files add.
+    return folders + [pathlib.Path("/usr/include/x86_64-linux-gnu/qt5")] + sorted(pathlib.Path("/usr/include").glob("*/"))
 
 
 def first_file(folders, name):

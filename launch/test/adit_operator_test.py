@@ -14,7 +14,7 @@ import rosunit
 from tws_msgs.msg import OperatorRequest, Tracks
 from tws_msgs.srv import DropTrack, InitiateTrack, InitiateTrackRequest, OperatorCommand, OperatorCommandRequest
 
-from whole_graph_test import RADARS, command, late, offline, tracks
+from whole_graph_test import command, late, offline, tracks
 
 DURATION = 60  # of data time [s]
 NAN = float("nan")

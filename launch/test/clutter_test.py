@@ -15,7 +15,7 @@ from tws_msgs.msg import OperatorRequest, Track, TruthTarget
 from tws_msgs.srv import LoadClutterMap, SaveClutterMap
 
 from adit_operator_test import Operator
-from whole_graph_test import RADARS, command, late, offline, tracks
+from whole_graph_test import command, late, offline, tracks
 
 SCENARIO = "clutter_comes_and_goes"
 COMES, GOES = 100.0, 240.0  # the fleet [s]

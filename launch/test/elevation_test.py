@@ -14,7 +14,7 @@ import yaml
 from tws_msgs.msg import ElevationRequests, OperatorRequest
 
 from adit_operator_test import Operator
-from whole_graph_test import RADARS, command, late, offline, tracks
+from whole_graph_test import command, late, offline, tracks
 
 DURATION = 115  # of data time [s]
 DESIGNATED = 11

@@ -33,7 +33,8 @@ def command(*words):
 
 
 def launch(file, record, **arguments):
-    command("roslaunch", "--no-summary", "tws_launch", file, f"record:={record}", "rviz:=false", *(f"{name}:={value}" for name, value in arguments.items()))
+    command("roslaunch", "--no-summary", "tws_launch", file, f"record:={record}", "rviz:=false",
+            *(f"{name}:={value}" for name, value in arguments.items()))
     return record
 
 

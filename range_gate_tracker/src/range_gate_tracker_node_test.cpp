@@ -258,15 +258,6 @@ TEST_F(RangeGateTrackerNodeTest, HasTheDefaultsOfTheFileForAircraft) {
   EXPECT_EQ(departures, std::vector<std::string>{});
 }
 
-TEST_F(RangeGateTrackerNodeTest, HasTheDefaultsOfTheFileForAircraft) {
-  std::ostringstream log;
-  tws_runtime::LocalGraph graph(log);
-  const YAML::Node aircraft = tws_runtime::loadParameterFile(RANGE_GATE_TRACKER_CONFIG "/aircraft.yaml");
-  const auto departures =
-      tws_runtime::departuresFromDefaults([&] { RangeGateTrackerNode(graph.addNode("tracker", aircraft)); });
-  EXPECT_EQ(departures, std::vector<std::string>{});
-}
-
 TEST_F(RangeGateTrackerNodeTest, TakesTheShippedParametersAndRefusesWrongOnes) {
   std::ostringstream log;
   tws_runtime::LocalGraph graph(log);
