@@ -132,7 +132,7 @@ TEST(RunInput, RefusesDetectionsOfNobodyKnowsWhichRadar) {
 TEST(RunInput, OfAScenarioThatDoesNotSayHasTheSimulatorsLength) {
   const TemporaryFolder folder;
   const std::string path = folder.write("short.yaml", "radars: [{name: a}]\n");
-  EXPECT_EQ(read(path).length, 300.0);  // As radar_sim/README.md says.
+  EXPECT_EQ(read(path).length, 300.0);  // As radar_sim/doc/scenario.md says.
   EXPECT_EQ(read(path, options({{"duration", "12"}})).length, 12.0);
   EXPECT_EQ(read(path, options({{"duration", "4000"}})).length, 4000.0);
 }

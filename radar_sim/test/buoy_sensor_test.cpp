@@ -82,7 +82,7 @@ TEST_F(NewKind, IsNamedWithItsTopicsAsTheOthersAre) {
   EXPECT_EQ(sensors[2].kind, "buoys");
   EXPECT_EQ(sensors[2].name, "rock");
   ASSERT_EQ(sensors[2].published.size(), 1u);
-  EXPECT_EQ(sensors[2].published[0].name, "/rock/detections");
+  EXPECT_EQ(sensors[2].published[0].name, "rock/detections");
   EXPECT_EQ(sensors[2].published[0].type, "tws_msgs/Detections");
   EXPECT_TRUE(sensors[2].subscribed.empty());
 }
