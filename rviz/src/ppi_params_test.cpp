@@ -69,7 +69,7 @@ TEST(PpiParams, RadarsAndTrackersAreLists) {
   EXPECT_EQ(params.radars[1].detections, "/ssr/skin");
   EXPECT_EQ(params.radars[1].plots, "/ssr/replies");
   ASSERT_EQ(params.trackers.size(), 2u);
-  EXPECT_EQ(params.trackers[0].name, "adit/tracks");
+  EXPECT_EQ(params.trackers[0].name, "/adit/tracks");
   EXPECT_EQ(params.trackers[1].prefix, "S");
   EXPECT_FALSE(params.trackers[0].symbols_only);
   EXPECT_TRUE(params.trackers[1].symbols_only);
