@@ -75,6 +75,11 @@ InputKind kindOf(const std::string& path) {
   return isRecording(path) ? InputKind::kRecording : InputKind::kScenario;
 }
 
+void refuseRate(const RunInput& input, const RunOptions& options) {
+  if (input.kind == InputKind::kBag && std::stod(options["rate"]) <= 0.0)
+    throw UsageError("--rate: a bag is played at a rate above 0");
+}
+
 void refuseSeed(const RunInput& input, const RunOptions& options) {
   if (input.kind == InputKind::kScenario || !options.has("seed")) return;
   const std::string what = input.kind == InputKind::kBag ? "a bag" : "a recording";
@@ -103,6 +108,7 @@ RunInput inspectInput(const std::string& path, const GraphFile& file, const RunO
   input.kind = kindOf(path);
   input.path = path.empty() ? path : std::filesystem::absolute(path).lexically_normal().string();
   refuseSeed(input, options);
+  refuseRate(input, options);
   if (input.kind == InputKind::kScenario) readScenario(input, file, options);
   if (input.kind == InputKind::kBag) readBag(input, file, options["namespace"]);
   if (input.kind == InputKind::kRecording || input.kind == InputKind::kFeed) readAsterix(input, options);

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""Are the tracks of all scenarios still the same, byte by byte but for header.seq? To be run by hand around a change that must not alter
-them.
+"""Are the tracks of all scenarios still the same, byte by byte but for header.seq? To be run by hand around a change that must not
+alter them.
 
   compare_tracks.py fly FOLDER [SCENARIO...]      every scenario offline, with the build whose setup.bash was sourced, into
-  FOLDER/SCENARIO/run.bag
+                                                  FOLDER/SCENARIO/run.bag
   compare_tracks.py compare BEFORE AFTER          of two such folders; the status is 1 when anything differs
 """
 import pathlib

@@ -257,8 +257,8 @@ def windows(runs, seeds, Sample):
     scene = dict(runs.scenario("adit_nominal"), duration_s=DURATION)
     radar = scene["radars"][0]["name"]
     alone = dict(scene, radars=scene["radars"][:1])
-    one = [runs.evaluate(runs.offline(alone, "--seed", seed, "--trackers", f"{{window_tracker: {{radar: {radar}}}}}"), SETTINGS)
-           for seed in seeds]
+    trackers = f"{{window_tracker: {{radar: {radar}}}}}"
+    one = [runs.evaluate(runs.offline(alone, "--seed", seed, "--trackers", trackers), SETTINGS) for seed in seeds]
     both = [runs.evaluate(runs.offline(scene, "--seed", seed), SETTINGS) for seed in seeds]
     lines = []
     for key, name, unit, scale, digits, more in FIGURES:

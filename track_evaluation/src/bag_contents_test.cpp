@@ -1,0 +1,58 @@
+#include "bag_contents.h"
+
+#include <gtest/gtest.h>
+#include <rosbag/bag.h>
+#include <tws_msgs/Detections.h>
+#include <tws_msgs/Tracks.h>
+#include <tws_msgs/Truth.h>
+
+#include <cstdio>
+
+namespace track_evaluation {
+namespace {
+
+using Names = std::vector<std::string>;
+
+/// What a bag with tracks, detections and truth under these topics holds.
+BagContents contentsOf(const std::string& tracks, const std::string& detections, const std::string& truth) {
+  const std::string path = testing::TempDir() + "bag_contents_test.bag";
+  rosbag::Bag bag(path, rosbag::bagmode::Write);
+  bag.write(tracks, ros::Time(1.0), tws_msgs::Tracks());
+  bag.write(detections, ros::Time(1.0), tws_msgs::Detections());
+  bag.write(truth, ros::Time(1.0), tws_msgs::Truth());
+  bag.close();
+  BagContents contents = inspectBag(path);
+  std::remove(path.c_str());
+  return contents;
+}
+
+// If one of these fails, a bag from elsewhere is scored under odd names, or not at all.
+
+TEST(BagContents, ReadsTopicsWithAndWithoutALeadingSlash) {
+  for (const std::string& slash : {"/", ""}) {
+    const BagContents contents = contentsOf(slash + "adit/tracks", slash + "sps12/detections", slash + "truth");
+    EXPECT_EQ(contents.space, "");
+    EXPECT_EQ(contents.trackers, (Names{"adit"}));
+    EXPECT_EQ(contents.radars, (Names{"sps12"}));
+    EXPECT_EQ(contents.truth, "/truth");
+    EXPECT_EQ(contents.topics(), (Names{"/adit/tracks", "/sps12/detections", "/truth"}));
+  }
+}
+
+TEST(BagContents, NamesTrackersWithinTheNamespaceThatAllShare) {
+  const BagContents contents = contentsOf("/ship1/adit/tracks", "/ship1/sps12/detections", "/truth");
+  EXPECT_EQ(contents.space, "/ship1");
+  EXPECT_EQ(contents.trackers, (Names{"adit"}));
+  EXPECT_EQ(contents.remaps().at("/ship1/truth"), "/truth");  // Where the evaluation looks for it.
+  EXPECT_EQ(contents.topics(), (Names{"/ship1/adit/tracks", "/ship1/sps12/detections", "/truth"}));
+}
+
+TEST(BagContents, NamesTrackersOfSeveralNamespacesInFull) {
+  const BagContents contents = contentsOf("/ship1/adit/tracks", "/ship2/sps12/detections", "/truth");
+  EXPECT_EQ(contents.space, "");
+  EXPECT_EQ(contents.trackers, (Names{"ship1/adit"}));
+  EXPECT_EQ(contents.radars, (Names{"ship2/sps12"}));
+}
+
+}  // namespace
+}  // namespace track_evaluation
