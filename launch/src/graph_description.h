@@ -35,6 +35,7 @@ struct GraphDescription {
   Sensors sensors;
   std::map<std::string, std::string> remaps;  ///< Of all nodes: where a sensor's topic has another name than usual.
   std::vector<NodeDescription> nodes;
+  bool nodelets = false;  ///< Live, in one manager, as far as they are nodelets.
 
   /// Null when there is none of that name.
   const NodeDescription* find(const std::string& name) const;

@@ -63,9 +63,8 @@ std::vector<std::string> GraphLists::played() const {
 
 /// By a tracker or watcher, which says it anew.
 bool GraphLists::isSaidHere(const std::string& topic) const {
-  return std::any_of(graph_.nodes.begin(), graph_.nodes.end(), [&](const NodeDescription& node) {
-    return node.role != "source" && node.says.count(topic) > 0;
-  });
+  return std::any_of(graph_.nodes.begin(), graph_.nodes.end(),
+                     [&](const NodeDescription& node) { return node.role != "source" && node.says.count(topic) > 0; });
 }
 
 std::vector<std::string> GraphLists::recorded() const {

@@ -32,6 +32,7 @@ class Resolver {
     if (graph_.space == "/") graph_.space.clear();
     graph_.sensors = input.sensors;
     graph_.remaps = input.remaps;
+    graph_.nodelets = options.flag("nodelets");
   }
 
   GraphDescription graph() {

@@ -51,12 +51,36 @@ void writeParameters(std::ostream& out, const YAML::Node& parameters) {
   out << "      </rosparam>\n";
 }
 
-void writeNode(std::ostream& out, const NodeDescription& node) {
-  const bool ends_the_run = (node.role == "source" || node.role == "tracker") && !node.respawn;
+const char* const kManager = "manager";
+
+/// A run ends with its source, and when a tracker dies.
+bool endsTheRun(const NodeDescription& node) {
+  return (node.role == "source" || node.role == "tracker") && !node.respawn;
+}
+
+/// Our nodes are nodelets, too: NODE of the package is the class PACKAGE/NODElet.
+bool isNodelet(const GraphDescription& graph, const NodeDescription& node) {
+  const std::string ending = "_node";
+  return graph.nodelets && node.type.size() > ending.size() &&
+         node.type.compare(node.type.size() - ending.size(), ending.size(), ending) == 0;
+}
+
+void writeProgram(std::ostream& out, const NodeDescription& node) {
   out << "    <node" << attribute("pkg", node.package) << attribute("type", node.type) << attribute("name", node.name)
-      << attribute("output", node.quiet ? "log" : "screen") << attribute("required", ends_the_run ? "true" : "");
+      << attribute("output", node.quiet ? "log" : "screen") << attribute("required", endsTheRun(node) ? "true" : "");
   if (node.respawn) out << " respawn=\"true\" respawn_delay=\"0.5\"";
   out << attribute("args", joinedArguments(node.arguments)) << attribute("launch-prefix", node.prefix) << ">\n";
+}
+
+/// The process that loads it; when the nodelet is to end the run, it ends the manager.
+void writeNodelet(std::ostream& out, const NodeDescription& node) {
+  out << "    <node pkg=\"nodelet\" type=\"nodelet\"" << attribute("name", node.name) << " output=\"screen\""
+      << attribute("args", "load " + node.package + "/" + node.type + "let " + kManager) << ">\n";
+  if (endsTheRun(node)) out << "      <param name=\"live/required\" value=\"true\"/>\n";
+}
+
+void writeNode(std::ostream& out, const GraphDescription& graph, const NodeDescription& node) {
+  isNodelet(graph, node) ? writeNodelet(out, node) : writeProgram(out, node);
   writeRemaps(out, node.remaps, "      ");
   writeParameters(out, node.parameters);
   out << "    </node>\n";
@@ -70,7 +94,10 @@ std::string launchXml(const GraphDescription& graph) {
       << "  <param name=\"/use_sim_time\" value=\"true\"/>\n"
       << "  <group" << attribute("ns", graph.space.empty() ? "/" : graph.space) << ">\n";
   writeRemaps(out, graph.remaps, "    ");
-  for (const NodeDescription& node : graph.nodes) writeNode(out, node);
+  if (graph.nodelets)
+    out << "    <node pkg=\"nodelet\" type=\"nodelet\" args=\"manager\" output=\"screen\" required=\"true\""
+        << attribute("name", kManager) << "/>\n";
+  for (const NodeDescription& node : graph.nodes) writeNode(out, graph, node);
   out << "  </group>\n</launch>\n";
   return out.str();
 }

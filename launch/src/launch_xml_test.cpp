@@ -41,6 +41,19 @@ TEST(LaunchXml, QuotesForTheShellAndForXml) {
   EXPECT_TRUE(holds(xml, "\"text\": &quot;x &lt; \\&quot;y\\&quot;&quot;") || holds(xml, "x &lt; ")) << xml;
 }
 
+// If this fails, the end of the scenario does not end the run, or a user's own program is loaded as a nodelet.
+TEST(LaunchXml, LoadsNodesAsNodeletsOfOneManagerWhenAsked) {
+  GraphDescription graph;
+  graph.nodelets = true;
+  graph.nodes = {node("source"), node("watcher")};
+  graph.nodes[0].type = "radar_sim_node";
+  const std::string xml = launchXml(graph);
+  EXPECT_TRUE(holds(xml, "args=\"manager\" output=\"screen\" required=\"true\" name=\"manager\"")) << xml;
+  EXPECT_TRUE(holds(xml, "args=\"load p/radar_sim_nodelet manager\"")) << xml;
+  EXPECT_TRUE(holds(xml, "<param name=\"live/required\" value=\"true\"/>")) << xml;
+  EXPECT_TRUE(holds(xml, "pkg=\"p\" type=\"t\"")) << xml;
+}
+
 TEST(LaunchXml, PutsTheGraphIntoItsNamespaceWithItsRemaps) {
   GraphDescription graph;
   graph.space = "/ship";

@@ -21,8 +21,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const std::set<std::string> kRunOptions{"clutter_map", "duration", "namespace", "params",   "picture_range",
-                                        "rate",        "rviz",     "seed",      "trackers", "show_windows"};
+const std::set<std::string> kRunOptions{"clutter_map", "duration",      "namespace",   "nodelets",
+                                        "params",      "picture_range", "rate",        "rviz",
+                                        "seed",        "trackers",      "show_windows"};
 
 std::string shellWord(const std::string& text) {
   std::string word = "'";
@@ -125,7 +126,7 @@ std::string plannedRun(const std::string& command, const std::vector<std::string
   std::set<std::string> allowed = kRunOptions;
   if (command == "replay") allowed.erase("seed");
   if (command == "offline")
-    for (const char* name : {"rate", "rviz", "picture_range", "show_windows"}) allowed.erase(name);
+    for (const char* name : {"nodelets", "rate", "rviz", "picture_range", "show_windows"}) allowed.erase(name);
   const CommandWords read = readCommandWords(words, allowed, {"out"}, 1);
   const std::string input = inputOf(command, read);
   return command == "offline" ? planOffline(read, input, root) : planLive(read, input, root);

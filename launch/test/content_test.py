@@ -17,7 +17,8 @@ SENSORS = {"detections", "sector_marks", "range_profile", "truth", "tf_static"}
 
 
 def run(*words):
-    return subprocess.run([str(word) for word in words], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, timeout=120, check=False)
+    return subprocess.run([str(word) for word in words], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, timeout=120,
+                          check=False)
 
 
 def tracks(bag, topic):

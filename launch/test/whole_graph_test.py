@@ -174,6 +174,20 @@ class WholeGraphTest(unittest.TestCase):
                               "/esa/dwell_reports")
         self.assertEqual(publications(bag), publications(self.live))
 
+    def test_nodelets_of_one_manager_give_the_same_tracks(self):
+        bag = launch("run.launch", self.folder / "nodelets.bag", scenario=SCENARIO, rate=5, duration=DURATION, nodelets="true")
+        self.check_same_tracks(bag, "as nodelets")
+
+    def test_in_a_namespace_the_same_radars_are_tracked_there(self):
+        bag = self.folder / "space.bag"
+        command("roslaunch", "--no-summary", "tws_launch", "run.launch", f"record:={bag}", "rviz:=false", "scenario:=one_aircraft",
+                "rate:=10", "duration:=30", "__ns:=siteA")
+        with rosbag.Bag(str(bag)) as opened:
+            topics = opened.get_type_and_topic_info().topics
+        self.assertGreater(topics["/siteA/adit/tracks"].message_count, 500)
+        self.assertGreater(topics["/siteA/sps12/detections"].message_count, 250)
+        self.assertNotIn("/adit/tracks", topics)
+
     def test_an_offline_run_of_the_bag_gives_the_same_tracks(self):
         bag = offline(self.live, self.folder / "offline_bag")
         self.check_same_tracks(bag, "offline from the bag")
