@@ -73,7 +73,7 @@ std::vector<tws_runtime::RadarTopics> topicsOf(const AditParams& params) {
 }
 
 // Sectors that wait for the radars' sites: two turns of one radar.
-constexpr std::size_t kMostWaiting = 2 * tws::kSectors;
+constexpr std::size_t kMostWaiting = std::size_t{2} * tws::kSectors;
 // Of the reference radar: there the report sets its status words (ELEV).
 constexpr std::int64_t kStatusSector = 61;
 

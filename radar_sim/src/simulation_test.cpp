@@ -82,8 +82,8 @@ TEST(Simulation, ReportsTruthFirstThenTheSensorsInTheirOrder) {
   while (*run.simulation.nextTime() < 1024.0) run.step();
   run.topics.clear();
   while (*run.simulation.nextTime() == 1024.0) run.step();  // three turns of sps39, four of sps12
-  EXPECT_EQ(run.topics, (std::vector<std::string>{"truth", "sps12/detections", "sps12/sector_marks",
-                                                  "sps39/detections", "sps39/sector_marks"}));
+  EXPECT_EQ(run.topics, (std::vector<std::string>{"truth", "sps12/detections", "sps12/sector_marks", "sps39/detections",
+                                                  "sps39/sector_marks"}));
 }
 
 TEST(Simulation, CountsPlotsAndTellsWhereTheOtherBeamPoints) {

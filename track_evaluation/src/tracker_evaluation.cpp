@@ -93,7 +93,7 @@ TruthFilter TrackerEvaluation::filter() const {
 }
 
 Eigen::Vector3d TrackerEvaluation::siteOf(const tws_msgs::Truth& message) {
-  const Eigen::Vector3d site = find_site_(radar_, message.header.frame_id);
+  Eigen::Vector3d site = find_site_(radar_, message.header.frame_id);
   if (!radar_.empty()) sites_[radar_] = site;
   return site;
 }
