@@ -60,7 +60,7 @@ TEST(WindowParamsReader, FindsTheDefaultsInTheShippedFile) {
   const WindowParams shipped = readWindowParams(reader);
   EXPECT_EQ(valuesOf(shipped), valuesOf(WindowParams{}));
   EXPECT_EQ(shipped.filter.kind, WindowParams{}.filter.kind);
-  EXPECT_EQ(tree.size(), 26U) << "21 of the tracker and five of the node";
+  EXPECT_EQ(tree.size(), 24U) << "21 of the tracker and three of the node";
   EXPECT_EQ(tree["filter"].size(), 12U);
 }
 
