@@ -75,17 +75,16 @@ void Beam::steer(const tws::Rotation& rotation, double fixed) {
   if (line_) {
     const double now = azimuthAt(time);
     const double error = tws::angularDifference(azimuth, now);
-    line_ = Line{time, now, rate + error / period};
+    line_ = tws::SteadyBeam{time, now, rate + error / period};
     return;
   }
   // One turn more, so that a report a little before the first one has no negative azimuth.
   double start = azimuth + tws::kTwoPi * (1.0 - std::floor(rotation.unwrappedAt(points_.front().time) / tws::kTwoPi));
   if (before_interruption_) {
-    const double expected =
-        before_interruption_->azimuth + before_interruption_->rate * (time - before_interruption_->time);
+    const double expected = before_interruption_->azimuthAt(time);
     start = expected + tws::angularDifference(azimuth, expected);
   }
-  line_ = Line{time, start, rate};
+  line_ = tws::SteadyBeam{time, start, rate};
 }
 
 void Beam::forgetBefore(double time) {

@@ -3,6 +3,7 @@
 #include <deque>
 #include <optional>
 
+#include <tws_core/antenna.h>
 #include <tws_core/rotation.h>
 
 namespace asterix_bridge {
@@ -25,8 +26,8 @@ class Beam {
   bool isKnown() const { return line_.has_value(); }
 
   /// [rad], unwrapped, and its inverse [s]. The beam must be known.
-  double azimuthAt(double time) const { return line_->azimuth + line_->rate * (time - line_->time); }
-  double timeAt(double azimuth) const { return line_->time + (azimuth - line_->azimuth) / line_->rate; }
+  double azimuthAt(double time) const { return line_->azimuthAt(time); }
+  double timeAt(double azimuth) const { return line_->timeAt(azimuth); }
   /// Of a turn [s]; NaN: not known.
   double period() const;
 
@@ -34,12 +35,6 @@ class Beam {
   void interrupt();
 
  private:
-  struct Line {
-    double time;
-    double azimuth;
-    double rate;  // [rad/s]
-  };
-
   std::optional<tws::Rotation> fit() const;
   void steer(const tws::Rotation& rotation, double fixed);
   void forgetBefore(double time);
@@ -47,8 +42,8 @@ class Beam {
   std::deque<tws::TimedAzimuth> points_;
   std::deque<double> norths_;
   std::optional<double> period_;
-  std::optional<Line> line_;
-  std::optional<Line> before_interruption_;
+  std::optional<tws::SteadyBeam> line_;
+  std::optional<tws::SteadyBeam> before_interruption_;
   std::optional<double> learned_;  // when
 };
 

@@ -9,27 +9,22 @@
 namespace radar_sim {
 
 Antenna::Antenna(double period, double start_azimuth, double start_time)
-    : rate_(tws::kTwoPi / period),
-      start_azimuth_(start_azimuth),
-      start_time_(start_time),
-      first_sector_(tws::sectorOf(start_azimuth)) {
+    : beam_{start_time, start_azimuth, tws::kTwoPi / period}, first_sector_(tws::sectorOf(start_azimuth)) {
   if (!(period > 0.0)) throw std::invalid_argument("the rotation period is not positive");
 }
-
-double Antenna::angleAt(double time) const { return start_azimuth_ + (time - start_time_) * rate_; }
 
 double Antenna::azimuthAt(double time) const { return tws::wrapTwoPi(angleAt(time)); }
 
 double Antenna::entryTime(std::int64_t running_sector) const {
-  if (running_sector <= first_sector_) return start_time_;
-  return start_time_ + (static_cast<double>(running_sector) * tws::kSectorWidth - start_azimuth_) / rate_;
+  if (running_sector <= first_sector_) return beam_.time;
+  return beam_.timeAt(static_cast<double>(running_sector) * tws::kSectorWidth);
 }
 
 // Fixed-point iteration: go on by the angle that is missing. It contracts by (azimuth rate / rotation rate) a step.
 std::optional<double> Antenna::crossing(double after, const std::function<double(double)>& azimuth) const {
-  double time = after + tws::wrapTwoPi(azimuth(after) - azimuthAt(after)) / rate_;
+  double time = after + tws::wrapTwoPi(azimuth(after) - azimuthAt(after)) / rate();
   for (int i = 0; i < 50; ++i) {
-    const double missing = tws::wrapPi(azimuth(time) - azimuthAt(time)) / rate_;
+    const double missing = tws::wrapPi(azimuth(time) - azimuthAt(time)) / rate();
     time += missing;
     if (std::abs(missing) < 1e-9) return time > after ? std::optional<double>(time) : std::nullopt;
   }

@@ -37,12 +37,13 @@ WindowTracker::WindowTracker(const WindowParams& params, OnReport on_report)
     : params_(checked(params)),
       on_report_(std::move(on_report)),
       motion_(params_),
-      beam_(params_.period),
+      antenna_(params_.period, tws::kSectors / 2),
       numbers_(static_cast<std::uint32_t>(params_.capacity)) {}
 
 // The five stages of the thesis. (2) The windows are opened by (5), for the next scan.
 void WindowTracker::process(const tws::RadarSector& sector) {
-  beam_.hear(sector);
+  antenna_.cross(sector.running, sector.enter_time);
+  now_ = sector.leave_time;
   detect(sector);  // (1) target detection
   for (auto& [number, track] : tracks_) {
     if (track.window.close <= sector.running) decide(track);  // (4) resolution of ambiguity, (5) filtering, prediction
@@ -125,13 +126,13 @@ void WindowTracker::miss(TrackFile& track) {
 
 /// Where and when the beam will meet the target next, and the window there.
 void WindowTracker::openNext(TrackFile& track) {
-  const double period = beam_.period();
+  const double period = antenna_.period();
   const double latest = track.misses == 0 ? track.last_update : track.window.time;
   double time = latest + period;
   WindowKinematics predicted;
   for (int i = 0; i < 3; ++i) {
     predicted = at(track, time);
-    time += tws::angularDifference(predicted.azimuth, beam_.azimuthAt(time)) / tws::kTwoPi * period;
+    time += tws::angularDifference(predicted.azimuth, antenna_.azimuthAt(time)) / tws::kTwoPi * period;
   }
   predicted = at(track, std::max(time, latest + 0.5 * period));
   const PlotSigmas sigmas = sigmasOf(track.measured, params_);
@@ -144,7 +145,7 @@ void WindowTracker::openNext(TrackFile& track) {
 }
 
 void WindowTracker::openWindow(TrackFile& track, const WindowKinematics& predicted, const WindowSize& size) {
-  const std::int64_t middle = beam_.runningAt(predicted.time);
+  const std::int64_t middle = antenna_.runningAt(predicted.time);
   const auto half = static_cast<std::int64_t>(std::ceil(size.azimuth / tws::kSectorWidth)) + kMargin;
   TrackWindow& window = track.window;
   window.time = predicted.time;
@@ -200,17 +201,17 @@ TrackFile* WindowTracker::open(double time) {
 }
 
 std::optional<std::uint32_t> WindowTracker::designate(double range, double azimuth) {
-  if (!beam_.heard()) return std::nullopt;
-  TrackFile* track = open(beam_.now());
+  if (!antenna_.known()) return std::nullopt;
+  TrackFile* track = open(now_);
   if (track == nullptr) return std::nullopt;
   track->designated = true;
-  track->measured.time = beam_.now();
+  track->measured.time = now_;
   track->measured.range = range;
   track->measured.azimuth = tws::wrapTwoPi(azimuth);
   // The marker was set on a picture that is up to a scan old.
-  const double ahead = tws::wrapTwoPi(azimuth - beam_.azimuthAt(beam_.now())) / tws::kTwoPi * beam_.period();
-  openWindow(*track, at(*track, beam_.now() + ahead),
-             acquisitionSize(range, ahead + beam_.period(), sigmasOf(track->measured, params_), params_));
+  const double ahead = tws::wrapTwoPi(azimuth - antenna_.azimuthAt(now_)) / tws::kTwoPi * antenna_.period();
+  openWindow(*track, at(*track, now_ + ahead),
+             acquisitionSize(range, ahead + antenna_.period(), sigmasOf(track->measured, params_), params_));
   news_.emplace_back(track->number, WindowEvent::kStarted);
   return track->number;
 }

@@ -7,10 +7,10 @@
 #include <optional>
 #include <vector>
 
+#include <tws_core/antenna.h>
 #include <tws_core/number_file.h>
 #include <tws_core/plot.h>
 
-#include "beam.h"
 #include "target_type.h"
 #include "track_window.h"
 #include "window_motion.h"
@@ -113,7 +113,8 @@ class WindowTracker {
   const WindowParams params_;
   OnReport on_report_;
   WindowMotion motion_;
-  Beam beam_;
+  tws::Antenna antenna_;
+  double now_ = 0.0;  // the beam has left the latest sector [s]
   tws::NumberFile numbers_;
   std::uint32_t next_uid_ = 0;
   std::map<std::uint32_t, TrackFile> tracks_;

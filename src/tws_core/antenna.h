@@ -23,17 +23,22 @@ struct SteadyBeam {
 /// is [64 n, 64 (n + 1)) sectors, and an unwrapped azimuth is counted from there [rad].
 class Antenna {
  public:
-  /// `period`: duration of a revolution until crossings tell [s], > 0.
-  explicit Antenna(double period) : crossings_(kMask + 1), period_(period) {}
+  /// `period`: duration of a revolution until crossings give it [s], > 0: those of a whole revolution, or of the latest
+  /// `least_sectors` or more, 1 .. 64, as long as there are no others.
+  explicit Antenna(double period, int least_sectors = kSectors)
+      : crossings_(kMask + 1), period_(period), least_sectors_(least_sectors) {}
 
   /// The beam enters the sector of that running number, ≥ 0. Numbers and times grow; a gap in them is allowed. (Inline,
   /// as all that follows: a tracker asks at each plot.)
   void cross(std::int64_t running, double time) {
     crossings_[static_cast<std::size_t>(running & kMask)] = {running, time};
     newest_ = running;
-    // A whole revolution is the best measure; before there is one, the given period stands.
-    const Crossing& before = at(running - kSectors);
-    if (before.running == running - kSectors && time > before.time) period_ = time - before.time;
+    // A whole revolution is the best measure; before there is one, the longest part of it that is known.
+    std::int64_t from = running - kSectors;
+    while (running - from > least_sectors_ && at(from).running != from) ++from;
+    const Crossing& before = at(from);
+    if (before.running != from || time <= before.time) return;
+    period_ = (time - before.time) * kSectors / static_cast<double>(running - from);
   }
 
   bool known() const { return newest_ >= 0; }
@@ -65,11 +70,17 @@ class Antenna {
     }
     return at(newest_).time + (place - static_cast<double>(newest_)) * sectorDuration();
   }
-  /// The same the other way round: the unwrapped azimuth at a time [s] of the latest revolution or later. Needs
-  /// known().
-  double azimuthAt(double time) const { return placeAt(time) * kSectorWidth; }
+  /// The same the other way round: where the beam points at a time [s] of the latest revolution or later [rad],
+  /// [0, 2π). Needs known().
+  double azimuthAt(double time) const {
+    const Place place = placeAt(time);
+    return wrapTwoPi(sectorStart(sectorNumber(place.running)) + place.sectors * kSectorWidth);
+  }
   /// Running number of the sector in which the beam is at such a time.
-  std::int64_t runningAt(double time) const { return static_cast<std::int64_t>(std::floor(placeAt(time))); }
+  std::int64_t runningAt(double time) const {
+    const Place place = placeAt(time);
+    return place.running + static_cast<std::int64_t>(std::floor(place.sectors));
+  }
 
  private:
   static constexpr std::int64_t kMask = 127;
@@ -79,18 +90,22 @@ class Antenna {
   };
   const Crossing& at(std::int64_t running) const { return crossings_[static_cast<std::size_t>(running & kMask)]; }
 
-  /// In sectors.
-  double placeAt(double time) const {
+  struct Place {
+    std::int64_t running;
+    double sectors;  // beyond its beginning
+  };
+  Place placeAt(double time) const {
     std::int64_t running = newest_;
     while (time < at(running).time && at(running - 1).running == running - 1 && newest_ - running < kSectors) --running;
     const bool between = running < newest_ && time >= at(running).time;
     const double duration = between ? at(running + 1).time - at(running).time : sectorDuration();
-    return static_cast<double>(running) + (time - at(running).time) / duration;
+    return {running, (time - at(running).time) / duration};
   }
 
   std::vector<Crossing> crossings_;  // of the latest two revolutions
   std::int64_t newest_ = -1;
   double period_;
+  std::int64_t least_sectors_;
 };
 
 }  // namespace tws

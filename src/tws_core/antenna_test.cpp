@@ -64,10 +64,31 @@ TEST(Antenna, SaysWhereTheBeamIsAsItSaysWhenItIsThere) {
   Antenna antenna(6.4);
   for (int i = 0; i <= 100; ++i) antenna.cross(i, 0.1 * i + (i % 2 == 0 ? 0.0 : 0.03));
   for (const double place : {40.0, 62.5, 99.25, 100.0, 117.75}) {
-    EXPECT_NEAR(antenna.azimuthAt(antenna.timeAt(place * kWidth)), place * kWidth, 1e-9);
+    const double azimuth = antenna.azimuthAt(antenna.timeAt(place * kWidth));
+    EXPECT_NEAR(azimuth, wrapTwoPi(place * kWidth), 1e-9);
     EXPECT_EQ(antenna.runningAt(antenna.timeAt(place * kWidth) + 1e-9), static_cast<std::int64_t>(place));
   }
   EXPECT_EQ(antenna.runningAt(10.0), 100);  // the very instant of a crossing
+}
+
+// If this fails, a tracker that asks before a whole revolution is misled by the period that it was given.
+TEST(Antenna, LearnsItsPeriodFromAPartOfARevolutionWhenItMay) {
+  Antenna whole(6.4), half(6.4, kSectors / 2);
+  for (int i = 0; i <= 63; ++i) {
+    whole.cross(i, 0.2 * i);
+    half.cross(i, 0.2 * i);
+    EXPECT_EQ(whole.period(), 6.4);
+    EXPECT_NEAR(half.period(), i < 32 ? 6.4 : 12.8, 1e-9) << i;
+  }
+  for (int i = 64; i <= 130; ++i) half.cross(i, 0.2 * 64 + 0.1 * (i - 64));
+  EXPECT_NEAR(half.period(), 6.4, 1e-9);
+}
+
+// A radar that stands still says nothing of its period.
+TEST(Antenna, KeepsItsPeriodWhenCrossingsHaveAllTheSameTime) {
+  Antenna antenna(6.5, kSectors / 2);
+  for (int i = 0; i < 100; ++i) antenna.cross(i, 5.0);
+  EXPECT_EQ(antenna.period(), 6.5);
 }
 
 TEST(SteadyBeam, TurnsOnFromWhereItPointedOnce) {
