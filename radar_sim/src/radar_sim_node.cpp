@@ -2,6 +2,7 @@
 
 #include <limits>
 #include <stdexcept>
+#include <string>
 
 #include <tws_runtime/conversions.h>
 #include <tws_runtime/parameters.h>
@@ -65,12 +66,5 @@ void RadarSimNode::stopWaiting() { simulation_->stopWaiting(); }
 double RadarSimNode::duration() const { return scenario_->duration; }
 
 YAML::Node RadarSimNode::trackers() const { return scenario_->trackers; }
-
-std::vector<std::string> RadarSimNode::namesOf(const std::string& kind) const {
-  std::vector<std::string> names;
-  for (const SensorTopics& sensor : topics_)
-    if (sensor.kind == kind) names.push_back(sensor.name);
-  return names;
-}
 
 }  // namespace radar_sim

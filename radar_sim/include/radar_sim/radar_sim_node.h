@@ -2,7 +2,6 @@
 
 #include <memory>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include <radar_sim/sensor_topics.h>
@@ -35,14 +34,6 @@ class RadarSimNode : public tws_runtime::Source {
 
   /// The topics of the truth and of each sensor, in the scenario's order.
   const std::vector<SensorTopics>& sensors() const { return topics_; }
-  /// Names of the rotating primary radars, in the scenario's order; of the secondary ones; of the arrays; of those that
-  /// measure range profiles.
-  std::vector<std::string> radars() const { return namesOf("radars"); }
-  std::vector<std::string> secondaryRadars() const { return namesOf("secondary_radars"); }
-  std::vector<std::string> arrayRadars() const { return namesOf("array_radars"); }
-  std::vector<std::string> rangeRadars() const { return namesOf("range_radars"); }
-  /// Whether the scenario feeds tracks, on /primary/tracks and /secondary/tracks.
-  bool feedsTracks() const { return !namesOf("track_feed").empty(); }
   /// Data time from start to end [s].
   double duration() const;
   /// What the scenario says of the trackers that it is meant for: the map under its key `trackers` as it stands there,
@@ -50,8 +41,6 @@ class RadarSimNode : public tws_runtime::Source {
   YAML::Node trackers() const;
 
  private:
-  std::vector<std::string> namesOf(const std::string& kind) const;
-
   std::unique_ptr<const Scenario> scenario_;
   std::unique_ptr<Simulation> simulation_;
   std::vector<SensorTopics> topics_;
