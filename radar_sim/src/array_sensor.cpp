@@ -50,7 +50,8 @@ bool ArraySensor::isReady() const { return loop_.isReady(tws_runtime::toTime(rad
 void ArraySensor::stopWaiting() {
   if (isReady()) return;
   bus_->counter("commands late")
-      .add("no answer on " + database_topic_ + " in time: " + name() + " goes on without until one comes");
+      .add("at " + std::to_string(radar_.planTime()) + " s " + name() + " did not get the track database on " +
+           database_topic_ + " in time and continues with the tracks that it has until one comes: is its tracker up?");
   loop_.stopWaiting();
 }
 
@@ -76,7 +77,7 @@ void ArraySensor::onTracks(const tws_msgs::TrackDatabase& database) {
   try {
     auto tracks = toArrayTracks(database, name(), radar_.mapToArray());
     if (!loop_.hear(database.header.stamp, std::move(tracks)))
-      bus_->counter("commands late").add("a late answer" + place);
+      bus_->counter("commands late").add("a track database came late" + place);
   } catch (const std::invalid_argument& error) {
     bus_->counter("refused track databases").add(error.what() + place);
   }

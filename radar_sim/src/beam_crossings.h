@@ -10,7 +10,7 @@
 
 namespace radar_sim {
 
-/// When the centre of the beam passes over each target, once a turn.
+/// When the centre of the beam passes over each target, once a revolution.
 class BeamCrossings {
  public:
   /// Azimuth of a target, given by its index, at the antenna [rad].
@@ -36,7 +36,7 @@ class BeamCrossings {
     }
   };
 
-  double quarterTurn() const;
+  double quarterRevolution() const;
   void schedule(std::size_t target, double after);
 
   Antenna antenna_;

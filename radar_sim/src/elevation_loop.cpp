@@ -34,14 +34,15 @@ bool ElevationLoop::isReady() const {
 void ElevationLoop::stopWaiting() {
   if (isReady()) return;
   bus_.counter("commands late")
-      .add("no list on " + topic_ + " in time: " + radar_.params().name +
-           " turns on without elevation searches until one comes");
+      .add("at " + std::to_string(radar_.nextMark()) + " s " + radar_.params().name +
+           " did not get elevation requests on " + topic_ +
+           " in time and continues without searches until they come: is the tracker up?");
   loop_.stopWaiting();
 }
 
 void ElevationLoop::applyCommands() {
   if (!radar_.isNorthNext()) return;
-  // A list that is a turn late is still of use; one from before an outage leads nowhere.
+  // A list that is a scan late is still of use; one from before an outage leads nowhere.
   const double oldest = radar_.nextMark() - 2.0 * radar_.params().rotation_period;
   for (const Command& command : loop_.takeDue(tws_runtime::toTime(radar_.nextMark()))) {
     const std::size_t taken = command.time > oldest ? radar_.setElevationSearches(command.orders) : 0;
@@ -57,7 +58,8 @@ void ElevationLoop::onMark(const tws::RadarSector& sector) {
 void ElevationLoop::onRequests(const tws_msgs::ElevationRequests& requests) {
   const ros::Time stamp = requests.header.stamp;
   if (loop_.hear(stamp, {tws_runtime::toSeconds(stamp), ordersOf(requests)})) return;
-  bus_.counter("commands late").add("a late list in " + topic_ + " at " + std::to_string(stamp.toSec()));
+  bus_.counter("commands late")
+      .add("elevation requests came late in " + topic_ + " at " + std::to_string(stamp.toSec()));
   loop_.stopWaiting();
 }
 

@@ -9,7 +9,7 @@
 
 namespace radar_sim {
 
-/// Where a radar is told to search in elevation.
+/// Where a radar is to search in elevation.
 struct ElevationOrder {
   double azimuth;  ///< Where the search begins [rad], [0, 2π).
   double range;    ///< Centre of the range interval [m].
@@ -21,7 +21,7 @@ class ElevationSearches {
   /// A radar without them searches nowhere.
   explicit ElevationSearches(const RadarParams& radar);
 
-  /// Takes the first ones of these, as many as the radar can make in one turn, for the turn that begins at `north`;
+  /// Takes the first ones of these, as many as the radar can make in one scan, for the scan that begins at `north`;
   /// what began before goes on to its end. Returns how many it takes.
   std::size_t set(const std::vector<ElevationOrder>& orders, double north);
 
@@ -47,7 +47,7 @@ struct ElevationLook {
   double sigma;      ///< Of that [rad].
 };
 
-/// The radar with the scanned beam at that elevation [rad] in place of those of the search of the turn.
+/// The radar with the scanned beam at that elevation [rad] in place of those of the search of the scan.
 RadarParams scanningBeam(const RadarParams& radar, double elevation);
 
 /// Nothing: the target lies outside of the scan, or it is not detected. `elevation` [rad] is where it appears.

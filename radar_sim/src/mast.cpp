@@ -21,9 +21,9 @@ double Mast::stampWithin(const SectorSpan& sector, double time) const {
 }
 
 double Mast::rotationPeriod(std::int64_t running_sector) const {
-  const std::int64_t turn_ago = running_sector - tws::kSectors;
-  if (turn_ago <= antenna_.firstSector()) return std::numeric_limits<double>::quiet_NaN();
-  return markTime(running_sector) - markTime(turn_ago);
+  const std::int64_t revolution_ago = running_sector - tws::kSectors;
+  if (revolution_ago <= antenna_.firstSector()) return std::numeric_limits<double>::quiet_NaN();
+  return markTime(running_sector) - markTime(revolution_ago);
 }
 
 // The clock is a counter: it tells the last tick gone by. A millionth of a tick keeps ticks themselves from rounding

@@ -27,7 +27,7 @@ class Mast {
 
   /// What the clock tells at `time`, kept within the sector and before its mark.
   double stampWithin(const SectorSpan& sector, double time) const;
-  /// Duration of the turn that ended with the mark of that running sector; NaN before the first full turn [s].
+  /// Duration of the revolution that ended with the mark of that running sector; NaN before the first full one [s].
   double rotationPeriod(std::int64_t running_sector) const;
 
  private:

@@ -18,10 +18,10 @@ struct ElevationBeam {
   double cosecant_to = 0.0;
 };
 
-/// How a radar searches in elevation where it is told to: at a designated azimuth it begins several elevation scans,
-/// which lie side by side in azimuth, and looks into a range interval. The search of the turn goes on beside them.
+/// How a radar searches in elevation where it is asked to: at a designated azimuth it begins several elevation scans,
+/// which lie side by side in azimuth, and looks into a range interval. The search of the scan goes on beside them.
 struct ElevationSearchParams {
-  long per_turn = 8;                            ///< Searches that it takes for one turn.
+  long per_turn = 8;                            ///< Searches that it takes for one revolution.
   long scans = 4;                               ///< Of one search.
   double width = tws::radians(7.0);             ///< Of azimuth, all scans of one search together [rad].
   double range_interval = 6000.0;               ///< Full length, centred on the designated range [m].

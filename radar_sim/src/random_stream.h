@@ -6,7 +6,7 @@
 
 namespace radar_sim {
 
-/// A stream of random bits that is found again by its key: (seed, who, index). Streams of different keys are
+/// A stream of random bits that is found again by its key: (seed, user, index). Streams of different keys are
 /// independent, so a radar or a target that is added changes no other one's numbers. Use it with the distributions of
 /// <random>.
 ///
@@ -17,11 +17,11 @@ class RandomStream {
  public:
   using result_type = std::uint64_t;
 
-  RandomStream(std::uint64_t seed, const std::string& who, std::uint64_t index = 0)
-      : RandomStream(seed, hash(who), index) {}
+  RandomStream(std::uint64_t seed, const std::string& user, std::uint64_t index = 0)
+      : RandomStream(seed, hash(user), index) {}
   /// With the name's hash() at hand.
-  RandomStream(std::uint64_t seed, std::uint64_t who, std::uint64_t index)
-      : state_(mix(mix(mix(seed + kStep) ^ who) ^ (index + kStep))) {}
+  RandomStream(std::uint64_t seed, std::uint64_t user, std::uint64_t index)
+      : state_(mix(mix(mix(seed + kStep) ^ user) ^ (index + kStep))) {}
 
   static constexpr result_type min() { return 0; }
   static constexpr result_type max() { return std::numeric_limits<result_type>::max(); }

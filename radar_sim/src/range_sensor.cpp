@@ -62,7 +62,8 @@ bool RangeSensor::isReady() const { return loop_.isReady(tws_runtime::toTime(rad
 void RangeSensor::stopWaiting() {
   if (isReady()) return;
   bus_->counter("commands late")
-      .add("no answer on " + gate_topic_ + " in time: the gate of " + name() + " stays where it is until one comes");
+      .add("at " + std::to_string(radar_.nextProfile()) + " s " + name() + " did not get a range gate on " +
+           gate_topic_ + " in time and leaves its gate where it is until one comes: is its tracker up?");
   loop_.stopWaiting();
 }
 
@@ -85,7 +86,7 @@ void RangeSensor::applyCommands() {
 void RangeSensor::onGate(const tws_msgs::RangeGate& gate) {
   if (loop_.hear(gate.header.stamp, gate)) return;
   bus_->counter("commands late")
-      .add("a late answer in " + gate_topic_ + " at " + std::to_string(gate.header.stamp.toSec()));
+      .add("a range gate came late in " + gate_topic_ + " at " + std::to_string(gate.header.stamp.toSec()));
 }
 
 }  // namespace radar_sim

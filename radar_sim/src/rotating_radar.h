@@ -43,7 +43,7 @@ class RotatingRadar {
 
   /// The mark that closes the next sector is the north mark.
   bool isNorthNext() const { return (mast_.nextSector() + 1) % tws::kSectors == 0; }
-  /// Takes the elevation searches of the turn that begins with the north mark that comes next, in their order, as many
+  /// Takes the elevation searches of the scan that begins with the north mark that comes next, in their order, as many
   /// as it can make. Returns how many it takes.
   std::size_t setElevationSearches(const std::vector<ElevationOrder>& orders);
 
@@ -55,7 +55,7 @@ class RotatingRadar {
   /// range, for a target that does not exist, and while the radar is silent or misses scans. `target`: index among the
   /// targets.
   double detectionProbability(std::size_t target, double time) const;
-  /// Duration of the turn that ended with the mark of that running sector; NaN before the first full turn [s].
+  /// Duration of the revolution that ended with the mark of that running sector; NaN before the first full one [s].
   double rotationPeriod(std::int64_t running_sector) const { return mast_.rotationPeriod(running_sector); }
 
  private:

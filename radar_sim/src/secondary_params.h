@@ -24,7 +24,7 @@ struct SecondaryParams {
   double azimuth_beamwidth = tws::radians(2.4);  ///< Aircraft reply within it; also the azimuth resolution [rad].
 
   // Interrogation and extraction.
-  double interrogation_rate = 360.0;  ///< [1/s]; with a beam of 2.4° and 6 s a turn, 14.4 interrogations a target
+  double interrogation_rate = 360.0;  ///< [1/s]; with a beam of 2.4° and 6 s a revolution, 14.4 interrogations a target
   std::vector<Mode> interlace{Mode::k3A, Mode::kC, Mode::k1, Mode::k3A, Mode::kC, Mode::k2};  ///< Over and over.
   double missed_reply_probability = 0.05;                                                     ///< Of each reply.
   long needed_replies = 4;            ///< In all modes together, for a plot.

@@ -50,7 +50,7 @@ class SecondaryRadar {
   double nextMark() const { return mast_.nextMark(); }
   SecondarySector closeSector();
   bool isSilentAt(double time) const { return isFaulty(faults_, FaultKind::kOutage, time); }
-  /// Duration of the turn that ended with the mark of that running sector; NaN before the first full turn [s].
+  /// Duration of the revolution that ended with the mark of that running sector; NaN before the first full one [s].
   double rotationPeriod(std::int64_t running_sector) const { return mast_.rotationPeriod(running_sector); }
 
  private:

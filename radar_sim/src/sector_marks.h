@@ -17,7 +17,7 @@ class SectorMarks {
     std::int64_t running;    ///< Sectors since the start.
     double leave_time;       ///< The mark's time [s of data time].
     std::size_t plots;       ///< In that sector.
-    double rotation_period;  ///< Of the latest full turn [s]; NaN before there was one.
+    double rotation_period;  ///< Of the latest full revolution [s]; NaN before there was one.
   };
 
   SectorMarks(const Sensor& radar, const Scene& scene) : radar_(radar), scene_(scene) {}

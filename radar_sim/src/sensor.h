@@ -63,7 +63,7 @@ class Sensor {
   virtual double nextTime() const { return std::numeric_limits<double>::infinity(); }
   /// Goes on to there and publishes.
   virtual void step() {}
-  /// Goes on to there without a word: it is silent then.
+  /// Goes on to there and publishes nothing: it is silent then.
   virtual void skip() {}
   virtual bool isSilentAt(double) const { return false; }
 

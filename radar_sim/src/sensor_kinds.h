@@ -9,7 +9,7 @@
 
 namespace radar_sim {
 
-/// One kind of sensor: the scenario's key, and who reads what stands there.
+/// One kind of sensor: the scenario's key, and the reader of what stands there.
 struct SensorKind {
   enum class Form { kList, kOne };  ///< A list of maps, or one map.
 

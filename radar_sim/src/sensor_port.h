@@ -14,8 +14,8 @@ namespace radar_sim {
 
 class Sensor;
 
-/// The Bus as one sensor has it: it opens its topics here, and what it opens is what the simulator says of it. Lives
-/// while the sensor connects; the Bus lives longer.
+/// The Bus as one sensor has it: it opens its topics here, and what it opens is listed. Lives while the sensor
+/// connects; the Bus lives longer.
 class SensorPort {
  public:
   SensorPort(tws_runtime::Bus& bus, const Sensor& sensor);
@@ -31,14 +31,14 @@ class SensorPort {
     topics_.published.push_back({topic, typeName<M>()});
     return bus_.advertise<M>(topic);
   }
-  /// A command of the sensor's own. Returns the topic's name, for what is said of it.
+  /// A command of the sensor's own. Returns the topic's name, for log lines.
   template <class M>
   std::string subscribe(const std::string& leaf, std::function<void(const M&)> handler) {
     topics_.subscribed.push_back({nameOf(leaf), typeName<M>()});
     bus_.subscribe<M>(nameOf(leaf), std::move(handler));
     return nameOf(leaf);
   }
-  /// Tells all where the sensor's frame lies in the map; it bears the sensor's name.
+  /// Publishes where the sensor's frame lies in the map; the frame has the sensor's name.
   void publishFrame(const Eigen::Isometry3d& map_to_sensor);
 
   tws_runtime::Bus& bus() { return bus_; }

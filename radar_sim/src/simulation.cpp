@@ -38,7 +38,7 @@ void Simulation::step() {
   skipSilence(sensor);
 }
 
-// The antenna turns on and the sectors count on, but nobody hears of them.
+// The antenna goes on turning and the sectors are counted, but nothing is published of them.
 void Simulation::skipSilence(Sensor& sensor) const {
   while (sensor.nextTime() <= scenario_.endTime() && sensor.isSilentAt(sensor.nextTime())) sensor.skip();
 }

@@ -34,7 +34,7 @@ class Simulation {
 
  private:
   void add(const SensorSpec& spec);
-  /// Lets the sensor go on until it is heard of.
+  /// Lets the sensor go on to the end of an outage.
   void skipSilence(Sensor& sensor) const;
   /// The sensor that reports first, of equal ones the first.
   Sensor& next() const;

@@ -19,30 +19,30 @@ TrackFeed::TrackFeed(FeedKind kind, TrackFeedParams params, const Eigen::Isometr
       lives_(targets.size()) {}
 
 std::vector<FedTrack> TrackFeed::tracksOf(const tws::RadarSector& sector) {
-  std::vector<FedTrack> words;
+  std::vector<FedTrack> updates;
   for (std::size_t target = 0; target < targets_.size(); ++target) {
     Life& life = lives_[target];
     if (!existsAt(targets_[target], sector.enter_time)) {
-      life.word.dropped = true;
-      if (life.alive) words.push_back(life.word);
+      life.update.dropped = true;
+      if (life.alive) updates.push_back(life.update);
       life.alive = false;
       continue;
     }
     const TargetState truth = targets_[target].trajectory->at(sector.enter_time);
     Eigen::Vector4d state = stateOf(truth);
-    // Once a turn; also what has moved against the beam, out of a sector that was still to come.
+    // Once a scan; also what has moved against the beam, out of a sector that was still to come.
     const int behind = tws::sectorDifference(sector.sector, tws::sectorOf(tws::azimuthOf(state.head<2>())));
-    if (behind < 0 || behind > 2 || sector.running - life.said < tws::kSectors / 2) continue;
+    if (behind < 0 || behind > 2 || sector.running - life.updated < tws::kSectors / 2) continue;
     addErrors(targets_[target], sector.running / tws::kSectors, state);
-    if (!life.alive) life.word = FedTrack{target, ++last_number_, false, sector.enter_time, sector.enter_time};
-    life.word.time = sector.enter_time;
-    life.word.state = state;
-    life.word.height = kind_ == FeedKind::kSecondary ? truth.height : std::numeric_limits<double>::quiet_NaN();
+    if (!life.alive) life.update = FedTrack{target, ++last_number_, false, sector.enter_time, sector.enter_time};
+    life.update.time = sector.enter_time;
+    life.update.state = state;
+    life.update.height = kind_ == FeedKind::kSecondary ? truth.height : std::numeric_limits<double>::quiet_NaN();
     life.alive = true;
-    life.said = sector.running;
-    words.push_back(life.word);
+    life.updated = sector.running;
+    updates.push_back(life.update);
   }
-  return words;
+  return updates;
 }
 
 bool TrackFeed::existsAt(const Target& target, double time) const {
@@ -63,9 +63,9 @@ Eigen::Vector4d TrackFeed::stateOf(const TargetState& truth) const {
   return state;
 }
 
-void TrackFeed::addErrors(const Target& target, std::int64_t turn, Eigen::Vector4d& state) const {
+void TrackFeed::addErrors(const Target& target, std::int64_t scan, Eigen::Vector4d& state) const {
   const std::string feed = kind_ == FeedKind::kPrimary ? "primary track of " : "secondary track of ";
-  RandomStream stream(seed_, feed + target.name, static_cast<std::uint64_t>(turn));
+  RandomStream stream(seed_, feed + target.name, static_cast<std::uint64_t>(scan));
   std::normal_distribution<double> error;
   for (int i = 0; i < 4; ++i) state(i) += error(stream) * (i < 2 ? params_.position_sigma : params_.velocity_sigma);
 }

@@ -28,25 +28,25 @@ Target aircraft(const std::string& name) {
   return target;
 }
 
-/// All that a feed says in some turns of 6 s, with an antenna at the map's origin.
-std::vector<FedTrack> words(FeedKind kind, const std::vector<Target>& targets, int turns, double sigma = 0.0) {
+/// All updates of a feed in some scans of 6 s, with an antenna at the map's origin.
+std::vector<FedTrack> updates(FeedKind kind, const std::vector<Target>& targets, int scans, double sigma = 0.0) {
   TrackFeed feed(kind, {"sps12", sigma, sigma / 2.0}, Eigen::Isometry3d::Identity(), targets, 7);
   std::vector<FedTrack> all;
-  for (std::int64_t running = 0; running < turns * tws::kSectors; ++running) {
+  for (std::int64_t running = 0; running < scans * tws::kSectors; ++running) {
     tws::RadarSector sector;
     sector.running = running;
     sector.sector = static_cast<int>(running % tws::kSectors);
     sector.enter_time = 1000.0 + static_cast<double>(running) * 6.0 / tws::kSectors;
-    for (const FedTrack& word : feed.tracksOf(sector)) all.push_back(word);
+    for (const FedTrack& update : feed.tracksOf(sector)) all.push_back(update);
   }
   return all;
 }
 
 // If one of these fails, a scenario that is fed as tracks measures the feed instead of the correlator.
 
-TEST(TrackFeed, SaysEveryAircraftOnceATurnWhereItIs) {
+TEST(TrackFeed, UpdatesEveryAircraftOnceAScanWhereItIs) {
   const std::vector<Target> targets{aircraft("a")};
-  const auto said = words(FeedKind::kPrimary, targets, 5);
+  const auto said = updates(FeedKind::kPrimary, targets, 5);
   ASSERT_EQ(said.size(), 5u);
   for (std::size_t turn = 0; turn < said.size(); ++turn) {
     // 45° and a little more is sector 8, entered 8/64 of a turn after north.
@@ -59,11 +59,11 @@ TEST(TrackFeed, SaysEveryAircraftOnceATurnWhereItIs) {
   }
 }
 
-TEST(TrackFeed, HasTheErrorsThatItIsGivenNewEachTurn) {
+TEST(TrackFeed, HasTheErrorsThatItIsGivenNewEachScan) {
   const std::vector<Target> targets{aircraft("a")};
-  const int turns = 2000;
-  const auto exact = words(FeedKind::kSecondary, targets, turns),
-             noisy = words(FeedKind::kSecondary, targets, turns, 8.0);
+  const int scans = 2000;
+  const auto exact = updates(FeedKind::kSecondary, targets, scans),
+             noisy = updates(FeedKind::kSecondary, targets, scans, 8.0);
   ASSERT_EQ(exact.size(), noisy.size());
   Eigen::Vector4d squares = Eigen::Vector4d::Zero(), products = Eigen::Vector4d::Zero(), last = Eigen::Vector4d::Zero();
   for (std::size_t i = 0; i < exact.size(); ++i) {
@@ -75,42 +75,42 @@ TEST(TrackFeed, HasTheErrorsThatItIsGivenNewEachTurn) {
   // Four standard deviations of a variance and of a covariance from 2000 values: 4·√(2/2000) = 0.13, 4/√2000 = 0.09.
   for (int i = 0; i < 4; ++i) {
     const double variance = i < 2 ? 64.0 : 16.0;
-    EXPECT_NEAR(squares(i) / turns, variance, 0.13 * variance);
-    EXPECT_NEAR(products(i) / turns, 0.0, 0.09 * variance);
+    EXPECT_NEAR(squares(i) / scans, variance, 0.13 * variance);
+    EXPECT_NEAR(products(i) / scans, 0.0, 0.09 * variance);
   }
 }
 
 TEST(TrackFeed, AnotherAircraftChangesNoErrors) {
-  const auto alone = words(FeedKind::kPrimary, {aircraft("a")}, 3, 8.0);
-  const auto both = words(FeedKind::kPrimary, {aircraft("b"), aircraft("a")}, 3, 8.0);
+  const auto alone = updates(FeedKind::kPrimary, {aircraft("a")}, 3, 8.0);
+  const auto both = updates(FeedKind::kPrimary, {aircraft("b"), aircraft("a")}, 3, 8.0);
   ASSERT_EQ(both.size(), 2 * alone.size());
   for (std::size_t i = 0; i < alone.size(); ++i) EXPECT_EQ(both[2 * i + 1].state, alone[i].state);
   EXPECT_NE(both[0].state, both[1].state);
-  EXPECT_NE(words(FeedKind::kSecondary, {aircraft("a")}, 3, 8.0)[0].state, alone[0].state);
+  EXPECT_NE(updates(FeedKind::kSecondary, {aircraft("a")}, 3, 8.0)[0].state, alone[0].state);
 }
 
 TEST(TrackFeed, ASecondaryTrackHasHeightAndNeedsATransponder) {
   std::vector<Target> targets{aircraft("a"), aircraft("mute")};
   targets[1].transponder = Transponder();
-  const auto said = words(FeedKind::kSecondary, targets, 2);
+  const auto said = updates(FeedKind::kSecondary, targets, 2);
   ASSERT_EQ(said.size(), 2u);
   EXPECT_EQ(said[0].target, 0u);
   EXPECT_EQ(said[0].height, 6000.0);
-  EXPECT_EQ(words(FeedKind::kPrimary, targets, 2).size(), 4u);
+  EXPECT_EQ(updates(FeedKind::kPrimary, targets, 2).size(), 4u);
 }
 
 // The paper's change of the secondary track's identity.
 TEST(TrackFeed, ATransponderThatFallsSilentForAMomentComesBackUnderAnotherNumber) {
   std::vector<Target> targets{aircraft("a")};
   targets[0].transponder.silences = {{1009.0, 1009.5}};
-  const auto said = words(FeedKind::kSecondary, targets, 4);
+  const auto said = updates(FeedKind::kSecondary, targets, 4);
   ASSERT_EQ(said.size(), 5u);
   EXPECT_EQ(said[1].number, 1u);
   EXPECT_TRUE(said[2].dropped);
   EXPECT_EQ(said[2].number, 1u);
   EXPECT_EQ(said[3].number, 2u);
   EXPECT_FALSE(said[4].dropped);
-  EXPECT_EQ(words(FeedKind::kPrimary, targets, 4).size(), 4u);
+  EXPECT_EQ(updates(FeedKind::kPrimary, targets, 4).size(), 4u);
 }
 
 TEST(TrackFeed, MessagesSayPrimaryTracksWithoutAndSecondaryTracksWithHeightAndCodes) {
@@ -121,7 +121,7 @@ TEST(TrackFeed, MessagesSayPrimaryTracksWithoutAndSecondaryTracksWithHeightAndCo
     sector.sector = 8;
     sector.running = 72;
     sector.enter_time = 1006.75;
-    const tws_msgs::Tracks message = toTracks(feed, words(kind, targets, 1), sector, targets, tws::SeaLevel());
+    const tws_msgs::Tracks message = toTracks(feed, updates(kind, targets, 1), sector, targets, tws::SeaLevel());
     EXPECT_EQ(message.header.stamp, ros::Time(1006, 750000000));
     EXPECT_EQ(message.radar, "sps12");
     EXPECT_EQ(message.running_sector, 72u);
