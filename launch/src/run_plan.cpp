@@ -75,7 +75,7 @@ std::string newFolder(const std::string& root, const std::string& input) {
 
 std::string madeFolder(const CommandWords& words, const std::string& root, const std::string& input) {
   const auto out = words.others.find("out");
-  const std::string folder = fs::absolute(out == words.others.end() ? newFolder(root, input) : out->second).string();
+  std::string folder = fs::absolute(out == words.others.end() ? newFolder(root, input) : out->second).string();
   const std::string bag = folder + "/run.bag";
   if (fs::exists(bag) && fs::equivalent(bag, input))
     throw std::runtime_error(input + " is the bag itself: name another folder by --out");
