@@ -5,6 +5,7 @@
 #include <tws_runtime/conversions.h>
 #include <tws_runtime/parameters.h>
 #include <tws_runtime/radar_inputs.h>
+#include <tws_runtime/track_writer.h>
 
 #include <algorithm>
 #include <cmath>
@@ -84,7 +85,7 @@ class AditNode::Impl {
   explicit Impl(Bus& bus)
       : bus_(bus),
         params_(readNodeParams(bus)),
-        tracks_(bus.advertise<tws_msgs::Tracks>("~tracks")),
+        tracks_(bus, "~tracks", params_.frame),
         clutter_(bus.advertise<tws_msgs::ClutterMap>("~clutter_map", true)),
         status_(bus.advertise<tws_msgs::TrackerStatus>("~status")),
         elevation_(bus, params_.adit),
@@ -196,14 +197,8 @@ class AditNode::Impl {
   }
 
   void publish(const SectorReport& report) {
-    tws_msgs::Tracks message;
-    message.header.stamp = tws_runtime::toTime(report.enter_time);
-    message.header.frame_id = params_.frame;
-    message.tracker = bus_.name();
-    message.radar = params_.adit.radars[report.radar].name;
-    message.running_sector = static_cast<std::uint32_t>(report.running);
-    message.sector = static_cast<std::uint8_t>(report.running % tws::kSectors);
-    message.sequence = sequence_++;
+    tws_msgs::Tracks message =
+        tracks_.message(report.enter_time, params_.adit.radars[report.radar].name, report.running);
     for (const TrackWord& word : report.words) {
       message.tracks.push_back(trackMessage(*adit_, word, sites_.origin()));
     }
@@ -270,7 +265,7 @@ class AditNode::Impl {
 
   Bus& bus_;
   NodeParams params_;
-  tws_runtime::Publisher<tws_msgs::Tracks> tracks_;
+  tws_runtime::TrackWriter tracks_;
   tws_runtime::Publisher<tws_msgs::ClutterMap> clutter_;
   tws_runtime::Publisher<tws_msgs::TrackerStatus> status_;
   ElevationInterface elevation_;
@@ -279,7 +274,6 @@ class AditNode::Impl {
   std::deque<std::pair<std::size_t, tws::RadarSector>> waiting_;
   IffInterface iff_;
   RadarSites sites_;
-  std::uint32_t sequence_ = 0;
   AditCounts totals_;
   std::vector<double> heard_;                       // of each radar: the end of its last sector [s]
   std::uint32_t operator_calls_ = 0, skipped_ = 0;  // since the last status

@@ -1,6 +1,7 @@
 #include "io/track_messages.h"
 
 #include <tws_runtime/conversions.h>
+#include <tws_runtime/track_writer.h>
 
 #include <cmath>
 #include <limits>
@@ -25,15 +26,12 @@ void setPlace(tws_msgs::Track& message, const Kinematics& k, const Site& site) {
   message.stamp = tws_runtime::toTime(k.time);
   message.range = k.range;
   message.azimuth = k.azimuth;
-  message.elevation = kUnknown;
   message.range_rate = k.range_rate;
   message.azimuth_rate = k.azimuth_rate;
   message.position.x = site.x + c * k.x - s * k.y;
   message.position.y = site.y + s * k.x + c * k.y;
-  message.position.z = kUnknown;
   message.velocity.x = c * k.vx - s * k.vy;
   message.velocity.y = s * k.vx + c * k.vy;
-  message.velocity.z = kUnknown;
   message.speed = std::hypot(k.vx, k.vy);
   message.course = message.speed > 0.0 ? tws::wrapTwoPi(std::atan2(k.vx, k.vy)) : kUnknown;
 }
@@ -58,9 +56,7 @@ void setCovariance(tws_msgs::Track& message, const tws::PlanarState& p, const Si
 tws_msgs::Track trackMessage(const Adit& adit, const TrackWord& word, const Site& site) {
   const Track& track = adit.tracks().at(word.slot);
   const Extrapolation now = adit.tracks().extrapolate(word.slot, word.time);
-  tws_msgs::Track message;
-  message.number = track.number;
-  message.uid = track.uid;
+  tws_msgs::Track message = tws_runtime::blankTrack(track.number, track.uid);
   message.state = stateOf(adit, track, word.event);
   message.first_detection = tws_runtime::toTime(track.first_time);
   message.last_update = tws_runtime::toTime(track.last_update);
@@ -76,8 +72,6 @@ tws_msgs::Track trackMessage(const Adit& adit, const TrackWord& word, const Site
     message.radars.push_back(adit.params().radars[radar].name);
     message.radar_updates.push_back(tws_runtime::toTime(track.updated[radar]));
   }
-  message.mode_1 = message.mode_2 = message.mode_3a = tws_msgs::Track::CODE_UNKNOWN;
-  message.height = message.height_sigma = kUnknown;
   if (const auto height = adit.tracks().height(word.slot, word.time))
     setHeight(message, *height, site, !adit.radars().severalSites());
   return message;

@@ -9,13 +9,18 @@ namespace {
 
 using Message = OperatorHandler::Message;
 
-/// Executes the request, unless there is a reason not to; the message then says what came of it.
-OperatorAnswer executeOne(Adit& adit, Message& message, const std::string& refusal, const Site& site) {
-  OperatorAnswer answer;
-  answer.refusal = refusal;
-  if (refusal.empty()) answer = execute(adit, requestOf(message, site));
-  setEffect(message, adit, answer);
-  return answer;
+tws_runtime::RequestLog::Moment momentOf(const Adit& adit) {
+  const SectorReport& latest = adit.tracks().latest();
+  return {adit.params().radars[latest.radar].name, latest.running, latest.enter_time};
+}
+
+bool hasPassed(const Adit& adit, const std::string& radar, std::uint32_t running_sector) {
+  const auto& radars = adit.params().radars;
+  for (std::size_t i = 0; i < radars.size(); ++i) {
+    if (radars[i].name != radar) continue;
+    return tws_runtime::hasReached(static_cast<std::uint32_t>(adit.order().front(i)), running_sector + 1);
+  }
+  return false;
 }
 
 std::vector<tws_msgs::Track> tracksOf(const Adit& adit, const OperatorAnswer& answer, const Site& site) {
@@ -29,8 +34,19 @@ std::vector<tws_msgs::Track> tracksOf(const Adit& adit, const OperatorAnswer& an
 
 }  // namespace
 
+/// Executes the request, unless there is a reason not to; the message then says what came of it.
+OperatorAnswer OperatorHandler::executeOne(Adit& adit, Message& message, const std::string& refusal,
+                                           const Site& site) const {
+  OperatorAnswer answer;
+  answer.refusal = refusal;
+  if (refusal.empty()) answer = adit_tracker::execute(adit, requestOf(message, site));
+  log_.stamp(message, momentOf(adit));
+  setEffect(message, adit, answer);
+  return answer;
+}
+
 void OperatorHandler::beginNewRun() {
-  ++run_;
+  log_.beginNewRun();
   at_start_.clear();
 }
 
@@ -71,10 +87,6 @@ std::optional<OperatorOutcome> OperatorHandler::take(Ticket ticket) {
   return outcome;
 }
 
-void OperatorHandler::addRecorded(const Message& message) {
-  if (message.result != Message::BUSY) recorded_.push_back(message);
-}
-
 /// The file that was loaded when this was recorded may have been given once more.
 bool OperatorHandler::isDoneAtStart(const Message& message) const {
   return std::any_of(at_start_.begin(), at_start_.end(),
@@ -83,26 +95,11 @@ bool OperatorHandler::isDoneAtStart(const Message& message) const {
 
 void OperatorHandler::beforeSector(Adit& adit) {
   if (adit.counts().sectors > 0) return;
-  const auto at_start = [&](const Message& m) { return m.radar.empty() && m.run == run_; };
-  for (auto found = recorded_.begin();
-       (found = std::find_if(recorded_.begin(), recorded_.end(), at_start)) != recorded_.end();
-       recorded_.erase(found)) {
-    if (isDoneAtStart(*found)) continue;
-    at_start_.push_back(*found);
+  while (const auto recorded = log_.takeAtStart()) {
+    if (isDoneAtStart(*recorded)) continue;
+    at_start_.push_back(*recorded);
     executeOne(adit, at_start_.back(), "", Site{});
   }
-}
-
-/// Has the sector been processed after which the recorded request took effect?
-bool OperatorHandler::isDue(const Adit& adit, const Message& m) const {
-  if (m.run != run_) return false;
-  if (m.radar.empty()) return true;  // it should have been here before the first sector
-  const auto& radars = adit.params().radars;
-  for (std::size_t i = 0; i < radars.size(); ++i) {
-    if (radars[i].name != m.radar) continue;
-    return static_cast<std::int32_t>(static_cast<std::uint32_t>(adit.order().front(i)) - m.running_sector) > 0;
-  }
-  return false;
 }
 
 std::vector<Message> OperatorHandler::afterSector(Adit& adit, const Site& site) {
@@ -115,26 +112,19 @@ std::vector<Message> OperatorHandler::afterSector(Adit& adit, const Site& site) 
     said.push_back(message);
   }
   at_start_.clear();
-  const auto due = [&](const Message& m) { return isDue(adit, m); };
-  for (auto found = recorded_.begin();
-       (found = std::find_if(recorded_.begin(), recorded_.end(), due)) != recorded_.end();) {
-    const Message recorded = std::move(*found);
-    recorded_.erase(found);
-    said.push_back(repeat(adit, recorded, site));
-  }
+  const auto has_passed = [&](const std::string& radar, std::uint32_t running) {
+    return hasPassed(adit, radar, running);
+  };
+  while (const auto recorded = log_.takeDue(has_passed)) said.push_back(repeat(adit, *recorded, site));
   return said;
 }
 
 Message OperatorHandler::repeat(Adit& adit, const Message& recorded, const Site& site) {
   Message message = recorded;
-  message.header.seq = 0;
   // A file that could not be loaded is not here to be tried again.
   const bool refused = recorded.request == Message::LOAD_CLUTTER && recorded.result == Message::REFUSED;
   executeOne(adit, message, refused ? recorded.message : "", site);
-  if (message.radar != recorded.radar || message.running_sector != recorded.running_sector)
-    count_("late recorded requests", "request " + std::to_string(message.request) + " came too late");
-  else if (!sameEffect(message, recorded))
-    count_("requests repeated with another effect", "request " + std::to_string(message.request));
+  log_.compare(recorded, message);
   return message;
 }
 

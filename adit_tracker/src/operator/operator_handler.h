@@ -1,10 +1,10 @@
 #pragma once
 
 #include <tws_msgs/OperatorRequest.h>
+#include <tws_runtime/request_log.h>
 
 #include <cstdint>
 #include <deque>
-#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -29,14 +29,12 @@ class OperatorHandler {
  public:
   using Message = tws_msgs::OperatorRequest;
   using Ticket = std::uint64_t;
-  /// To be called for what goes wrong with recorded requests: name of a counter, reason.
-  using Count = std::function<void(const char* counter, const std::string& reason)>;
 
-  explicit OperatorHandler(Count count) : count_(std::move(count)) {}
+  /// `log` keeps the recorded requests, and is to outlive it.
+  explicit OperatorHandler(tws_runtime::RequestLog& log) : log_(log) {}
 
   /// Time has gone back.
   void beginNewRun();
-  std::uint32_t run() const { return run_; }
 
   /// A new request; `refusal`: why it cannot be executed at all.
   Ticket add(Message message, std::string refusal = "");
@@ -47,8 +45,6 @@ class OperatorHandler {
   /// What came of a new request; it is forgotten then. Nothing: it waits still.
   std::optional<OperatorOutcome> take(Ticket ticket);
 
-  /// A recorded request, or one that is to take effect before the first sector of this run (no radar).
-  void addRecorded(const Message& message);
   /// To be called before a sector may be processed: executes what was recorded before the run's first one.
   void beforeSector(Adit& adit);
   /// To be called after each sector: executes what was recorded there. Returns what came of all recorded ones.
@@ -60,16 +56,15 @@ class OperatorHandler {
     Message message;
     std::string refusal;
   };
-  bool isDue(const Adit& adit, const Message& message) const;
   bool isDoneAtStart(const Message& message) const;
   Message repeat(Adit& adit, const Message& recorded, const Site& site);
 
-  Count count_;
-  std::uint32_t run_ = 0;
+  OperatorAnswer executeOne(Adit& adit, Message& message, const std::string& refusal, const Site& site) const;
+
+  tws_runtime::RequestLog& log_;
   Ticket next_ticket_ = 1;
   std::deque<Waiting> waiting_;
   std::map<Ticket, OperatorOutcome> outcomes_;
-  std::deque<Message> recorded_;
   std::vector<Message> at_start_;  // executed before the first sector, not said yet
 };
 

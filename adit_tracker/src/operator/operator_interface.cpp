@@ -21,34 +21,19 @@ tf2::Transform transformOf(const geometry_msgs::Transform& t) {
 
 OperatorInterface::OperatorInterface(tws_runtime::Bus& bus, const std::string& frame, const std::string& point_topic,
                                      Host host)
-    : bus_(bus),
-      frame_(frame),
-      host_(std::move(host)),
-      handler_([&bus](const char* counter, const std::string& reason) { bus.counter(counter).add(reason); }),
-      requests_(bus.advertise<Message>("~operator_requests")) {
+    : bus_(bus), frame_(frame), host_(std::move(host)), log_(bus, frame), handler_(log_) {
   bus.serve<tws_msgs::OperatorCommand>("~operator_command",
                                        [this](auto& request, auto& response) { return onCommand(request, response); });
   bus.serve<tws_msgs::InitiateTrack>("~initiate_track",
                                      [this](auto& request, auto& response) { return onInitiate(request, response); });
   bus.serve<tws_msgs::DropTrack>("~drop_track",
                                  [this](auto& request, auto& response) { return onDrop(request, response); });
-  bus.subscribe<Message>("~recorded_requests", [this](const Message& message) { handler_.addRecorded(message); });
   if (point_topic.empty()) return;
   bus.subscribe<geometry_msgs::PointStamped>(point_topic, [this](const auto& point) { onPoint(point); });
 }
 
-Message OperatorInterface::blank(std::uint8_t request) const {
-  Message message;
-  message.header.frame_id = frame_;
-  message.tracker = bus_.name();
-  message.request = request;
-  message.run = handler_.run();
-  message.lower = message.upper = OperatorRequest::kUnused;
-  return message;
-}
-
 void OperatorInterface::publish(const std::vector<Message>& messages) {
-  for (const Message& message : messages) requests_.publish(message);
+  for (const Message& message : messages) log_.publish(message);
 }
 
 /// Has all requests executed that wait. No request is in work while the tracker catches up: what comes meanwhile, or is

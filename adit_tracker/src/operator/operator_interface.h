@@ -39,11 +39,11 @@ class OperatorInterface {
   void beginNewRun() { handler_.beginNewRun(); }
 
   /// A request that asks for nothing yet.
-  Message blank(std::uint8_t request) const;
+  Message blank(std::uint8_t request) const { return log_.blank(request); }
   /// Executes a request if the tracker has time for it. `refusal`: why it cannot be executed at all.
   OperatorOutcome ask(const Message& message, const std::string& refusal = "");
   /// The same before the first sector of this run.
-  void askAtStart(const Message& message) { handler_.addRecorded(message); }
+  void askAtStart(const Message& message) { log_.add(message); }
 
  private:
   bool onCommand(const tws_msgs::OperatorCommand::Request& request, tws_msgs::OperatorCommand::Response& response);
@@ -57,8 +57,8 @@ class OperatorInterface {
   tws_runtime::Bus& bus_;
   std::string frame_;
   Host host_;
+  tws_runtime::RequestLog log_;
   OperatorHandler handler_;
-  tws_runtime::Publisher<Message> requests_;
 };
 
 }  // namespace adit_tracker

@@ -77,7 +77,8 @@ TEST_F(OperatorInterfaceTest, SeveralTracksAreDroppedBetweenTheSameTwoSectors) {
 }
 
 TEST_F(OperatorInterfaceTest, WhatWaitsIsBusyWhenTheTrackerCannotCatchUp) {
-  OperatorHandler handler([](const char*, const std::string&) {});
+  tws_runtime::RequestLog log(graph_.addNode("other"), "map");
+  OperatorHandler handler(log);
   const auto ticket = handler.add(operators_.blank(tws_msgs::OperatorRequest::DROP_ALL));
   EXPECT_FALSE(handler.take(ticket));
   EXPECT_EQ(handler.refuse("busy: 9 sectors behind the radars; ask again", ros::Time(5.0)).size(), 1U);

@@ -32,19 +32,11 @@ std::vector<tws_msgs::ClutterPoint> clutterPoints(const std::vector<ClutterPlace
 }
 
 void setEffect(tws_msgs::OperatorRequest& message, const Adit& adit, const OperatorAnswer& answer) {
-  const SectorReport& latest = adit.tracks().latest();
-  message.header.stamp = tws_runtime::toTime(latest.enter_time);
-  message.radar = adit.params().radars[latest.radar].name;
-  message.running_sector = static_cast<std::uint32_t>(latest.running);
   message.result = answer.refusal.empty() ? tws_msgs::OperatorRequest::OK : tws_msgs::OperatorRequest::REFUSED;
   message.message = answer.refusal;
   message.count = answer.count;
   message.tracks.clear();
   for (const TrackFile::Slot slot : answer.tracks) message.tracks.push_back(adit.tracks().at(slot).number);
-}
-
-bool sameEffect(const tws_msgs::OperatorRequest& a, const tws_msgs::OperatorRequest& b) {
-  return a.result == b.result && a.count == b.count && a.tracks == b.tracks;
 }
 
 }  // namespace adit_tracker

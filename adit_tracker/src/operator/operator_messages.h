@@ -13,10 +13,7 @@ OperatorRequest requestOf(const tws_msgs::OperatorRequest& message, const tws_ru
 /// As a message to load them holds them.
 std::vector<tws_msgs::ClutterPoint> clutterPoints(const std::vector<ClutterPlace>& places);
 
-/// Writes into the message when it took effect, but for the run, and what came of it.
+/// Writes into the message what came of it.
 void setEffect(tws_msgs::OperatorRequest& message, const Adit& adit, const OperatorAnswer& answer);
-
-/// Did both have the same effect?
-bool sameEffect(const tws_msgs::OperatorRequest& a, const tws_msgs::OperatorRequest& b);
 
 }  // namespace adit_tracker
