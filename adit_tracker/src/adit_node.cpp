@@ -199,8 +199,8 @@ class AditNode::Impl {
   void publish(const SectorReport& report) {
     tws_msgs::Tracks message =
         tracks_.message(report.enter_time, params_.adit.radars[report.radar].name, report.running);
-    for (const TrackWord& word : report.words) {
-      message.tracks.push_back(trackMessage(*adit_, word, sites_.origin()));
+    for (const TrackUpdate& update : report.updates) {
+      message.tracks.push_back(trackMessage(*adit_, update, sites_.origin()));
     }
     tracks_.publish(message);
     if (message.sector == 0) publishClutter(report);

@@ -32,14 +32,14 @@ struct OperatedRun {
 TEST(AditNode, WhatAnOperatorOrdersShowsInTheTracks) {
   const OperatedRun run;
   bool dropped = false, started = false;
-  for (const auto& word : run.node.words()) {
-    const double t = word.stamp.toSec() - kEpoch;
-    const bool marked = (word.detection_bits & tws_msgs::Track::HANDED_OFF) != 0;
-    EXPECT_TRUE(!marked || (word.number == run.handed_off && t > 49.0)) << t;
-    EXPECT_TRUE(marked || word.number != run.handed_off || t < 51.0) << t;
-    if (word.uid == run.dropped && word.state == tws_msgs::Track::DROPPED) dropped = true;
-    EXPECT_TRUE(word.uid != run.dropped || !dropped || word.state == tws_msgs::Track::DROPPED);
-    if (word.number == run.by_hand && t < 58.0 && std::abs(word.position.x + 25e3) < 1.0) started = true;
+  for (const auto& update : run.node.updates()) {
+    const double t = update.stamp.toSec() - kEpoch;
+    const bool marked = (update.detection_bits & tws_msgs::Track::HANDED_OFF) != 0;
+    EXPECT_TRUE(!marked || (update.number == run.handed_off && t > 49.0)) << t;
+    EXPECT_TRUE(marked || update.number != run.handed_off || t < 51.0) << t;
+    if (update.uid == run.dropped && update.state == tws_msgs::Track::DROPPED) dropped = true;
+    EXPECT_TRUE(update.uid != run.dropped || !dropped || update.state == tws_msgs::Track::DROPPED);
+    if (update.number == run.by_hand && t < 58.0 && std::abs(update.position.x + 25e3) < 1.0) started = true;
   }
   EXPECT_TRUE(dropped);
   EXPECT_TRUE(started);
@@ -162,7 +162,7 @@ TEST(AditNode, BeforeItIsFullItWarnsAndThenRefusesNewTracksAndKeepsTheOldOnes) {
   for (const double azimuth : {1.2, 2.0, 2.8, 3.6}) late(azimuth, 60.0);
   const RadarSectors radars = flights(120.0, targets);
   node.play(radars, 0.0, 58.0);
-  const std::set<std::uint32_t> before = node.believed();
+  const std::set<std::uint32_t> before = node.confirmed();
   EXPECT_EQ(before.size(), 8U);
   EXPECT_EQ(node.count("capacity warnings") + node.count("refused tracks"), 0U);
   std::uint64_t warnings_at_refusal = 0;
@@ -173,7 +173,7 @@ TEST(AditNode, BeforeItIsFullItWarnsAndThenRefusesNewTracksAndKeepsTheOldOnes) {
   }
   EXPECT_GT(node.count("refused tracks"), 0U);
   EXPECT_EQ(warnings_at_refusal, 1U);
-  const std::set<std::uint32_t> after = node.believed();
+  const std::set<std::uint32_t> after = node.confirmed();
   EXPECT_TRUE(std::includes(after.begin(), after.end(), before.begin(), before.end()));
   EXPECT_GT(node.statuses.back().refused_tracks, 0U);
 }

@@ -123,29 +123,29 @@ class NodeGraph {
 
   std::uint64_t count(const std::string& counter) { return bus->counter(counter).value(); }
 
-  std::vector<tws_msgs::Track> words() const {
+  std::vector<tws_msgs::Track> updates() const {
     std::vector<tws_msgs::Track> all;
     for (const auto& message : tracks) all.insert(all.end(), message.tracks.begin(), message.tracks.end());
     return all;
   }
 
-  /// The latest word on each track that has not been dropped, by its identity.
+  /// The latest update of each track that has not been dropped, by its identity.
   std::map<std::uint32_t, tws_msgs::Track> picture() const {
     std::map<std::uint32_t, tws_msgs::Track> latest;
-    for (const tws_msgs::Track& word : words()) {
-      if (word.state == tws_msgs::Track::DROPPED)
-        latest.erase(word.uid);
+    for (const tws_msgs::Track& update : updates()) {
+      if (update.state == tws_msgs::Track::DROPPED)
+        latest.erase(update.uid);
       else
-        latest[word.uid] = word;
+        latest[update.uid] = update;
     }
     return latest;
   }
 
   /// Identities of the tracks that the picture shows as believed.
-  std::set<std::uint32_t> believed() const {
+  std::set<std::uint32_t> confirmed() const {
     std::set<std::uint32_t> uids;
-    for (const auto& [uid, word] : picture())
-      if (word.state == tws_msgs::Track::FIRM || word.state == tws_msgs::Track::COASTING) uids.insert(uid);
+    for (const auto& [uid, update] : picture())
+      if (update.state == tws_msgs::Track::FIRM || update.state == tws_msgs::Track::COASTING) uids.insert(uid);
     return uids;
   }
 

@@ -157,9 +157,9 @@ class AditRostest : public testing::Test {
   }
 
   static std::vector<tws_msgs::Track> trackWords() {
-    std::vector<tws_msgs::Track> words;
-    for (const auto& message : heard_) words.insert(words.end(), message.tracks.begin(), message.tracks.end());
-    return words;
+    std::vector<tws_msgs::Track> updates;
+    for (const auto& message : heard_) updates.insert(updates.end(), message.tracks.begin(), message.tracks.end());
+    return updates;
   }
 
   static std::string problem_;

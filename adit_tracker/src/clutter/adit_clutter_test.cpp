@@ -19,8 +19,8 @@ class AditClutter : public BothSets {
     return targets;
   }
 
-  static bool isRock(const Word& word) {
-    return word.kinematics.y < 19e3 || word.kinematics.y > 21e3 || word.kinematics.x < 0.0;
+  static bool isRock(const RecordedUpdate& update) {
+    return update.kinematics.y < 19e3 || update.kinematics.y > 21e3 || update.kinematics.x < 0.0;
   }
 
   static std::size_t startedByRocks(const Listener& listener) {
@@ -46,7 +46,7 @@ TEST_P(AditClutter, AMapLearnedBeforeKeepsRocksFromStartingTracks) {
   EXPECT_GE(startedByRocks(bare), 20U);
   // The clutter map runs three sectors ahead: with a common map, the second radar's first three are not mapped.
   EXPECT_LE(startedByRocks(knowing), params().clutter.per_radar ? 0U : 1U);
-  EXPECT_EQ(knowing.believed().size(), 1U) << "the aircraft";
+  EXPECT_EQ(knowing.confirmed().size(), 1U) << "the aircraft";
 }
 
 // The map that was loaded, and not one that was learned: nothing is seen there for 30 s.

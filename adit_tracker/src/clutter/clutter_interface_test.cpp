@@ -82,7 +82,7 @@ TEST_F(ClutterInterfaceTest, WhatIsSavedInOneRunIsThereInTheNextFromTheStart) {
   bare.play(radars, 0.0, 30.0);
   const auto tracks_begun = [](const NodeGraph& node) {
     std::set<std::uint32_t> uids;
-    for (const auto& word : node.words()) uids.insert(word.uid);
+    for (const auto& update : node.updates()) uids.insert(update.uid);
     return uids.size();
   };
   EXPECT_GE(tracks_begun(bare), tracks_begun(second) + 8);

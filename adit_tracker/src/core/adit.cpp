@@ -171,7 +171,7 @@ void Adit::correlate(const tws::SectorRef& sector) {
   }
   for (const auto slot : primary_) {
     if (NextMeeting::metOnThisScan(tracks_.at(slot), sector)) continue;
-    const Detection* const shared = bifurcation_.hiding(slot);
+    const Detection* const shared = bifurcation_.mergedPlotOf(slot);
     shared ? share(sector, slot, *shared) : miss(sector, slot);
   }
 }
@@ -220,7 +220,7 @@ void Adit::convert(const tws::SectorRef& sector, TrackFile::Slot slot) {
   const double time = track.smoothed.time;
   const TrackMotion& motion = tracks_.motion();
   const std::size_t radar = motion.joined() ? latestOf(track, radars_.size()) : sector.radar;
-  const Seen seen = motion.seenBy(track, radar, time);
+  const ApparentPosition seen = motion.apparentPosition(track, radar, time);
   if (!clutter_.adopt(seen.range, seen.azimuth, time, radar)) return;
   ++counts_.to_clutter;
   tracks_.drop(slot, time);

@@ -26,11 +26,11 @@ TEST_P(BothSets, TheOtherRadarGoesOnWhenOneFallsSilentAndTakesItInAgain) {
   Listener listener(params());
   feedInOrder(listener.adit, radars);
   listener.adit.finish();
-  EXPECT_EQ(listener.believed().size(), 1U);
+  EXPECT_EQ(listener.confirmed().size(), 1U);
   EXPECT_EQ(listener.adit.counts().late_sectors, 0U);
   EXPECT_EQ(listener.sectors, static_cast<int>(radars[0].size() + radars[1].size()));
   int during = 0, after = 0;
-  for (const Word& w : listener.of(TrackEvent::kUpdated)) {
+  for (const RecordedUpdate& w : listener.of(TrackEvent::kUpdated)) {
     if (w.sector_time > 105.0 && w.sector_time < 215.0) during += w.radar == 1 ? 1 : 100;
     if (w.sector_time > 230.0 && w.radar == 0) ++after;
   }
@@ -69,7 +69,7 @@ TEST_P(BothSets, SaysTheSameBitForBitInWhateverOrderTheRadarsArrive) {
     listener.adit.finish();
     EXPECT_EQ(listener.adit.counts().late_sectors, 0U);
     const std::string bytes = listener.bytes();
-    ASSERT_GT(listener.words.size(), 1000U);
+    ASSERT_GT(listener.updates.size(), 1000U);
     if (run == 0) expected = bytes;
     const auto differs = std::mismatch(expected.begin(), expected.end(), bytes.begin(), bytes.end());
     ASSERT_TRUE(bytes == expected) << "run " << run << " differs first in line "
@@ -96,13 +96,13 @@ TEST_P(BothSets, SaysOfATrackAtMostOneThingForEachScanOfARadar) {
   listener.adit.finish();
   std::map<std::pair<std::uint32_t, std::size_t>, std::int64_t> last;
   int close = 0;
-  for (const Word& w : listener.words) {
+  for (const RecordedUpdate& w : listener.updates) {
     if (w.event != TrackEvent::kUpdated && w.event != TrackEvent::kCoasted) continue;
     const auto [previous, is_new] = last.try_emplace({w.uid, w.radar}, w.running);
     if (!is_new && w.running - previous->second < 32) ++close;
     previous->second = w.running;
   }
-  EXPECT_EQ(close, 0) << "of " << listener.words.size();
+  EXPECT_EQ(close, 0) << "of " << listener.updates.size();
 }
 
 // If this fails, a full tracker throws away tracks that it has, or the user is not told that new ones are refused.
@@ -119,7 +119,7 @@ TEST_P(BothSets, AtFullCapacityNewTracksAreRefusedAndCountedAndTheOldOnesGoOn) {
   EXPECT_EQ(listener.adit.tracks().size(), 3U);
   EXPECT_GT(listener.adit.counts().refused_tracks, 100U);
   EXPECT_GT(listener.adit.counts().refused_clutter, 0U);
-  EXPECT_EQ(listener.believed().size(), 3U);
+  EXPECT_EQ(listener.confirmed().size(), 3U);
   for (const auto slot : listener.adit.tracks().living()) {
     EXPECT_GT(listener.adit.tracks().extrapolate(slot, 250.0).kinematics.x, 0.0);
     EXPECT_GT(listener.adit.tracks().at(slot).last_update, 240.0);
@@ -134,11 +134,11 @@ TEST_P(BothSets, NumbersOfDroppedTracksServeAgain) {
   Listener listener(p);
   feedInOrder(listener.adit, twoRadars(800.0, aircraft));
   listener.adit.finish();
-  EXPECT_EQ(listener.believed().size(), 4U);
-  for (const Word& w : listener.words) EXPECT_LT(w.number, 3U);
+  EXPECT_EQ(listener.confirmed().size(), 4U);
+  for (const RecordedUpdate& w : listener.updates) EXPECT_LT(w.number, 3U);
 }
 
-// If this fails, a consumer sees a track after its last word, or a word of a track that never started.
+// If this fails, a consumer sees a track after its final update, or an update of a track that never started.
 TEST_P(BothSets, EachTrackHasOneFirstAndOneLastWord) {
   auto generator = tws::seededGenerator();
   RadarSectors radars = twoRadars(200.0, {{60e3, 20e3, -150.0, 120.0, 0.0, 100.0}, {-60e3, 20e3, 150.0, 120.0}});
@@ -147,7 +147,7 @@ TEST_P(BothSets, EachTrackHasOneFirstAndOneLastWord) {
   feedInOrder(listener.adit, radars);
   listener.adit.finish();
   std::map<std::uint32_t, TrackEvent> last;
-  for (const Word& w : listener.words) {
+  for (const RecordedUpdate& w : listener.updates) {
     const bool is_first = last.count(w.uid) == 0;
     EXPECT_EQ(w.event == TrackEvent::kStarted, is_first) << w.uid;
     if (!is_first) {
@@ -241,18 +241,18 @@ TEST_P(BothSets, SkippedSectorsCostNoTrackAndTheirDetectionsStartNone) {
   }
   std::sort(order.begin(), order.end());
   std::set<std::uint32_t> before;
-  std::size_t started = 0, ready = 0, words = 0;
+  std::size_t started = 0, ready = 0, updates = 0;
   for (const auto& [time, r, i] : order) {
     listener.adit.add(r, radars[r][i]);
     if (time > 80.0 && time <= 84.0) continue;
     if (time > 84.0 && before.empty()) {
-      before = listener.believed();
+      before = listener.confirmed();
       started = listener.of(TrackEvent::kStarted).size();
-      words = listener.words.size();
+      updates = listener.updates.size();
       for (const std::size_t sectors : listener.adit.order().ready()) ready += sectors;
       listener.adit.skip();
       EXPECT_EQ(listener.adit.counts().skipped_sectors, ready);
-      EXPECT_EQ(listener.words.size(), words);
+      EXPECT_EQ(listener.updates.size(), updates);
     }
     while (listener.adit.step()) continue;
   }
@@ -261,9 +261,9 @@ TEST_P(BothSets, SkippedSectorsCostNoTrackAndTheirDetectionsStartNone) {
   EXPECT_NEAR(static_cast<double>(ready), 74.0, 3.0);
   EXPECT_EQ(listener.sectors, static_cast<int>(listener.adit.counts().sectors));
   EXPECT_EQ(listener.of(TrackEvent::kStarted).size(), started);
-  for (const Word& w : listener.of(TrackEvent::kDropped)) EXPECT_EQ(before.count(w.uid), 0U);
+  for (const RecordedUpdate& w : listener.of(TrackEvent::kDropped)) EXPECT_EQ(before.count(w.uid), 0U);
   std::map<std::uint32_t, double> seen_again;
-  for (const Word& w : listener.of(TrackEvent::kUpdated)) {
+  for (const RecordedUpdate& w : listener.of(TrackEvent::kUpdated)) {
     if (w.sector_time > 84.0) seen_again.emplace(w.uid, w.sector_time);
   }
   for (const std::uint32_t uid : before) {

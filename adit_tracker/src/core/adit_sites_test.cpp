@@ -52,7 +52,7 @@ TEST_F(SecondSite, OneTrackAnAircraftAtAnyHeight) {
     Listener listener(params_);
     listener.adit.place(1, kIsland);
     feedInOrder(listener.adit, flights(targets_, height));
-    EXPECT_EQ(listener.believed().size(), targets_.size()) << height;
+    EXPECT_EQ(listener.confirmed().size(), targets_.size()) << height;
     EXPECT_EQ(listener.adit.tracks().size(), targets_.size()) << height;
     for (const auto slot : listener.adit.tracks().living()) {
       const Track& track = listener.adit.tracks().at(slot);
@@ -72,8 +72,8 @@ TEST_F(SecondSite, TheSecondRadarAloneHoldsWhatTheFirstDoesNotSee) {
   listener.adit.place(1, kIsland);
   const std::vector<TestTarget> far = {{90e3, 30e3, -100.0, 100.0}, {70e3, 50e3, 150.0, -60.0}};
   feedInOrder(listener.adit, flights(far, 0.0, 75e3));
-  EXPECT_EQ(listener.believed().size(), far.size());
-  for (const Word& word : listener.of(TrackEvent::kUpdated)) EXPECT_EQ(word.radar, 1U);
+  EXPECT_EQ(listener.confirmed().size(), far.size());
+  for (const RecordedUpdate& update : listener.of(TrackEvent::kUpdated)) EXPECT_EQ(update.radar, 1U);
 }
 
 TEST_F(SecondSite, TheResultDoesNotDependOnHowTheRadarsInterleave) {

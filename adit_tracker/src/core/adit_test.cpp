@@ -21,11 +21,11 @@ TEST_P(BothSets, OneAircraftSeenByTwoRadarsIsOneFirmTrackUpdatedByEveryPlot) {
   Listener listener(params());
   feedInOrder(listener.adit, radars);
   listener.adit.finish();
-  ASSERT_EQ(listener.believed().size(), 1U);
-  const std::uint32_t uid = *listener.believed().begin();
+  ASSERT_EQ(listener.confirmed().size(), 1U);
+  const std::uint32_t uid = *listener.confirmed().begin();
   const auto updates = listener.of(TrackEvent::kUpdated);
   const auto own = static_cast<std::size_t>(
-      std::count_if(updates.begin(), updates.end(), [&](const Word& w) { return w.uid == uid; }));
+      std::count_if(updates.begin(), updates.end(), [&](const RecordedUpdate& w) { return w.uid == uid; }));
   std::size_t absorbed = 0;
   for (const ClutterMap& map : listener.adit.clutter().maps()) absorbed += map.absorbed();
   // Every plot starts a track, updates one, or goes into the clutter map; the letter's map takes some of an aircraft's.
@@ -36,7 +36,8 @@ TEST_P(BothSets, OneAircraftSeenByTwoRadarsIsOneFirmTrackUpdatedByEveryPlot) {
   if (GetParam() == "default") {
     EXPECT_EQ(absorbed, 0U);
   }
-  const Word& last = *std::find_if(updates.rbegin(), updates.rend(), [&](const Word& w) { return w.uid == uid; });
+  const RecordedUpdate& last =
+      *std::find_if(updates.rbegin(), updates.rend(), [&](const RecordedUpdate& w) { return w.uid == uid; });
   EXPECT_NEAR(last.kinematics.x, aircraft.x + aircraft.vx * last.kinematics.time, 300.0);
   EXPECT_NEAR(last.kinematics.y, aircraft.y + aircraft.vy * last.kinematics.time, 300.0);
   EXPECT_NEAR(last.kinematics.vx, aircraft.vx, 20.0);
@@ -50,9 +51,9 @@ TEST_P(BothSets, AnAircraftAcrossNorthStaysOneTrack) {
     Listener listener(params());
     feedInOrder(listener.adit, twoRadars(240.0, {{-120.0 * vx, 60e3, vx, 0.0}}));
     listener.adit.finish();
-    EXPECT_EQ(listener.believed().size(), 1U);
+    EXPECT_EQ(listener.confirmed().size(), 1U);
     const auto coasted = listener.of(TrackEvent::kCoasted);
-    EXPECT_EQ(std::count_if(coasted.begin(), coasted.end(), [](const Word& w) { return w.believed; }), 0);
+    EXPECT_EQ(std::count_if(coasted.begin(), coasted.end(), [](const RecordedUpdate& w) { return w.confirmed; }), 0);
   }
 }
 
@@ -67,7 +68,7 @@ TEST(TheDefault, AnAircraftOverTheSiteStaysOneTrack) {
     Listener listener(paramsFor("default", {6.0, 8.0}));
     feedInOrder(listener.adit, radars);
     listener.adit.finish();
-    EXPECT_EQ(listener.believed().size(), 1U) << abeam;
+    EXPECT_EQ(listener.confirmed().size(), 1U) << abeam;
     EXPECT_LE(listener.adit.counts().tracks_started, 2U) << abeam;
   }
 }
@@ -79,7 +80,7 @@ TEST_P(BothSets, AnAircraftThatOneRadarSeesIsTrackedWhileTheOtherSeesNothing) {
   Listener listener(params());
   feedInOrder(listener.adit, radars);
   listener.adit.finish();
-  EXPECT_EQ(listener.believed().size(), 1U);
+  EXPECT_EQ(listener.confirmed().size(), 1U);
   EXPECT_EQ(listener.adit.tracks().size(), 1U);
 }
 
@@ -91,9 +92,9 @@ TEST_P(BothSets, TwoAircraftThatCrossKeepTheirTracks) {
   feedInOrder(listener.adit, twoRadars(300.0, aircraft));
   listener.adit.finish();
   std::map<std::uint32_t, std::set<int>> followed;
-  for (const Word& w : listener.of(TrackEvent::kUpdated)) {
+  for (const RecordedUpdate& w : listener.of(TrackEvent::kUpdated)) {
     const double t = w.kinematics.time;
-    if (!w.believed || std::abs(t - 150.0) < 30.0) continue;
+    if (!w.confirmed || std::abs(t - 150.0) < 30.0) continue;
     const bool first = std::abs(w.kinematics.y - 40e3) < 2e3;
     followed[w.uid].insert(first ? 0 : 1);
   }
@@ -112,8 +113,8 @@ TEST_P(BothSets, ThingsThatStandStillBecomeClutterAndNoFirmTracks) {
   feedInOrder(listener.adit, radars);
   listener.adit.finish();
   std::set<std::uint32_t> late;
-  for (const Word& w : listener.words) {
-    if (w.believed && w.sector_time > 150.0) late.insert(w.uid);
+  for (const RecordedUpdate& w : listener.updates) {
+    if (w.confirmed && w.sector_time > 150.0) late.insert(w.uid);
   }
   EXPECT_LE(late.size(), 1U);  // Of 20.
 }
@@ -149,7 +150,7 @@ TEST_P(BothSets, AClutterPointThatBeginsToMoveBecomesATrack) {
   bool followed = false;
   for (const auto slot : listener.adit.tracks().living()) {
     const Kinematics k = listener.adit.tracks().extrapolate(slot, 590.0).kinematics;
-    followed = followed || (listener.adit.tracks().believed(listener.adit.tracks().at(slot)) &&
+    followed = followed || (listener.adit.tracks().confirmed(listener.adit.tracks().at(slot)) &&
                             std::abs(k.range - moving.range(590.0)) < 700.0);
   }
   EXPECT_TRUE(followed);
@@ -162,15 +163,15 @@ TEST_P(BothSets, ATrackKnowsWhichRadarSawItAlsoIfItWasAClutterPoint) {
   const double speed = 60.0 * 1852.0 / 3600.0;
   first_.see({20e3, 30e3, speed * 0.5547, speed * 0.83205}, radars[0]);
   const Adit* tracker = nullptr;
-  std::size_t words = 0;
+  std::size_t updates = 0;
   Adit adit(params(), [&](const SectorReport& report) {
-    for (const TrackWord& word : report.words) EXPECT_EQ(tracker->tracks().at(word.slot).updated[1], kNever);
-    words += report.words.size();
+    for (const TrackUpdate& update : report.updates) EXPECT_EQ(tracker->tracks().at(update.slot).updated[1], kNever);
+    updates += report.updates.size();
   });
   tracker = &adit;
   feedInOrder(adit, radars);
   adit.finish();
-  EXPECT_GT(words, 0U);
+  EXPECT_GT(updates, 0U);
   EXPECT_TRUE(params().clutter.per_radar || adit.counts().to_track > 0U);
 }
 
@@ -184,7 +185,8 @@ TEST(TheLetter, ATrackIsFirmByItsFirstUpdateAfter20Seconds) {
   listener.adit.finish();
   const auto started = listener.of(TrackEvent::kStarted), updated = listener.of(TrackEvent::kUpdated);
   ASSERT_FALSE(started.empty());
-  const auto first_firm = std::find_if(updated.begin(), updated.end(), [](const Word& w) { return w.believed; });
+  const auto first_firm =
+      std::find_if(updated.begin(), updated.end(), [](const RecordedUpdate& w) { return w.confirmed; });
   ASSERT_NE(first_firm, updated.end());
   EXPECT_NEAR(first_firm->kinematics.time - started.front().kinematics.time, 24.0, 0.1);
 }
@@ -200,10 +202,10 @@ TEST(TheLetter, AnUnusedDetectionStartsATrackAndAClutterPoint) {
   radars[0][10].plots.push_back(plot);
   Listener listener(paramsFor("nrl7952", {6.4}));
   feedInOrder(listener.adit, radars);
-  ASSERT_EQ(listener.words.size(), 1U);
-  EXPECT_EQ(listener.words[0].running, 11);
-  EXPECT_EQ(listener.words[0].event, TrackEvent::kStarted);
-  EXPECT_FALSE(listener.words[0].believed);
+  ASSERT_EQ(listener.updates.size(), 1U);
+  EXPECT_EQ(listener.updates[0].running, 11);
+  EXPECT_EQ(listener.updates[0].event, TrackEvent::kStarted);
+  EXPECT_FALSE(listener.updates[0].confirmed);
   ASSERT_EQ(listener.adit.clutter().maps().size(), 1U);
   EXPECT_EQ(listener.adit.clutter().maps()[0].size(), 1U);
   EXPECT_EQ(listener.adit.tracks().size(), 1U);

@@ -144,13 +144,13 @@ inline AditParams paramsFor(const std::string& set, const std::vector<double>& p
 }
 
 /// What the tracker said of one track in one sector.
-struct Word {
+struct RecordedUpdate {
   double sector_time;
   std::size_t radar;
   std::int64_t running;
   std::uint32_t uid, number;
   TrackEvent event;
-  bool believed;
+  bool confirmed;
   Kinematics kinematics;
 };
 
@@ -161,25 +161,25 @@ class Listener {
 
   void hear(const SectorReport& report) {
     ++sectors;
-    for (const TrackWord& w : report.words) {
+    for (const TrackUpdate& w : report.updates) {
       const Track& track = adit.tracks().at(w.slot);
-      words.push_back({report.enter_time, report.radar, report.running, track.uid, track.number, w.event,
-                       adit.tracks().believed(track), adit.tracks().extrapolate(w.slot, w.time).kinematics});
+      updates.push_back({report.enter_time, report.radar, report.running, track.uid, track.number, w.event,
+                         adit.tracks().confirmed(track), adit.tracks().extrapolate(w.slot, w.time).kinematics});
     }
   }
 
-  std::vector<Word> of(TrackEvent event) const {
-    std::vector<Word> result;
-    std::copy_if(words.begin(), words.end(), std::back_inserter(result),
-                 [&](const Word& w) { return w.event == event; });
+  std::vector<RecordedUpdate> of(TrackEvent event) const {
+    std::vector<RecordedUpdate> result;
+    std::copy_if(updates.begin(), updates.end(), std::back_inserter(result),
+                 [&](const RecordedUpdate& w) { return w.event == event; });
     return result;
   }
 
   /// Identities of tracks that were believed at any time.
-  std::set<std::uint32_t> believed() const {
+  std::set<std::uint32_t> confirmed() const {
     std::set<std::uint32_t> uids;
-    for (const Word& w : words) {
-      if (w.believed) uids.insert(w.uid);
+    for (const RecordedUpdate& w : updates) {
+      if (w.confirmed) uids.insert(w.uid);
     }
     return uids;
   }
@@ -188,17 +188,17 @@ class Listener {
   std::string bytes() const {
     std::ostringstream out;
     out << std::hexfloat;
-    for (const Word& w : words) {
+    for (const RecordedUpdate& w : updates) {
       const Kinematics& k = w.kinematics;
       out << w.sector_time << ' ' << w.radar << ' ' << w.running << ' ' << w.uid << ' ' << w.number << ' '
-          << static_cast<int>(w.event) << ' ' << w.believed << ' ' << k.time << ' ' << k.range << ' ' << k.azimuth
+          << static_cast<int>(w.event) << ' ' << w.confirmed << ' ' << k.time << ' ' << k.range << ' ' << k.azimuth
           << ' ' << k.range_rate << ' ' << k.azimuth_rate << ' ' << k.x << ' ' << k.y << ' ' << k.vx << ' ' << k.vy
           << '\n';
     }
     return out.str();
   }
 
-  std::vector<Word> words;
+  std::vector<RecordedUpdate> updates;
   int sectors = 0;
   Adit adit;
 };

@@ -25,7 +25,7 @@ void playWithClock(NodeGraph& node, const RadarSectors& radars, const Error& err
 
 /// Are all these tracks in the picture, and believed?
 bool stillThere(const NodeGraph& node, const std::set<std::uint32_t>& before) {
-  const std::set<std::uint32_t> now = node.believed();
+  const std::set<std::uint32_t> now = node.confirmed();
   return std::includes(now.begin(), now.end(), before.begin(), before.end());
 }
 
@@ -39,7 +39,7 @@ TEST_P(WhenTimeIsWrong, AJumpOfUpToHalfASecondDeletesNoTrack) {
       NodeGraph node(set());
       std::set<std::uint32_t> before;
       playWithClock(node, radars, [&](std::size_t radar, double time) {
-        if (time <= when) before = node.believed();
+        if (time <= when) before = node.confirmed();
         return time > when && (jumping == 2 || radar == static_cast<std::size_t>(jumping)) ? jump : 0.0;
       });
       EXPECT_GE(before.size(), 6U);
@@ -59,7 +59,7 @@ TEST_P(WhenTimeIsWrong, ManySmallJumpsDeleteNoTrackEither) {
   std::map<int, double> errors;
   for (int i = 30; i < 55; ++i) errors[i] = tws::uniform(generator, -0.25, 0.25);
   playWithClock(node, radars, [&](std::size_t, double time) {
-    if (time <= 60.0) before = node.believed();
+    if (time <= 60.0) before = node.confirmed();
     return errors[static_cast<int>(time / 2.0)];
   });
   EXPECT_GE(before.size(), 6U);
@@ -97,7 +97,7 @@ TEST_P(WhenTimeIsWrong, ADeadRadarIsSaidToBeStaleAndResumes) {
       off.end());
   NodeGraph node(set());
   node.play(radars, 0.0, 59.0);
-  const std::set<std::uint32_t> before = node.believed();
+  const std::set<std::uint32_t> before = node.confirmed();
   node.play(radars, 59.0, 150.0);
   EXPECT_GE(before.size(), 6U);
   EXPECT_TRUE(stillThere(node, before));
@@ -106,7 +106,7 @@ TEST_P(WhenTimeIsWrong, ADeadRadarIsSaidToBeStaleAndResumes) {
     EXPECT_EQ(status.stale.at(0) != 0, t > 61.5 && t < 99.5) << t;
     EXPECT_EQ(status.stale.at(1), 0) << t;
   }
-  for (const auto& [uid, word] : node.picture()) EXPECT_EQ(word.detection_bits, 3U) << "both radars see it again";
+  for (const auto& [uid, update] : node.picture()) EXPECT_EQ(update.detection_bits, 3U) << "both radars see it again";
 }
 
 /// One aircraft, whose plots come late by so many sectors: `message` times the sectors' messages, `plot` only the
@@ -126,11 +126,11 @@ RadarSectors latePlots(std::size_t sectors) {
 TEST_P(WhenTimeIsWrong, PlotsLateByUpToASectorAreUsedAndLaterOnesCountedAndDropped) {
   NodeGraph late(set()), too_late(set());
   late.play(latePlots(1), 0.0, 80.0);
-  EXPECT_EQ(late.believed().size(), 1U);
+  EXPECT_EQ(late.confirmed().size(), 1U);
   EXPECT_EQ(late.picture().size(), 1U);
   EXPECT_EQ(late.count("late detections"), 0U);
   too_late.play(latePlots(3), 0.0, 80.0);
-  EXPECT_EQ(too_late.words().size(), 0U);
+  EXPECT_EQ(too_late.updates().size(), 0U);
   const std::size_t plots = plotsIn(flights(80.0, {TestTarget{60e3, 20e3, -240.0, 180.0}}));
   EXPECT_EQ(too_late.count("late detections"), plots);
   EXPECT_LE(too_late.statuses.back().late_detections, plots);

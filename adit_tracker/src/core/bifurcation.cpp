@@ -163,7 +163,7 @@ void Bifurcation::share(const TrackFile& tracks, const TrackMotion& motion, cons
   correlator.forEachSecondaryLeftOut([&](TrackFile::Slot slot) { tryToShare(run, slot); });
 }
 
-const Detection* Bifurcation::hiding(TrackFile::Slot slot) const {
+const Detection* Bifurcation::mergedPlotOf(TrackFile::Slot slot) const {
   for (std::size_t i = now_; i < shared_.size(); ++i) {
     if (shared_[i].slot == slot) return shared_[i].detection;
   }

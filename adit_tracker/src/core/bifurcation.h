@@ -34,7 +34,7 @@ class Bifurcation {
              const tws::SectorRef& sector);
 
   /// The detection in which a track without one of its own is hidden; nullptr: it is in none.
-  const Detection* hiding(TrackFile::Slot slot) const;
+  const Detection* mergedPlotOf(TrackFile::Slot slot) const;
   /// What a detection that several targets share says of this one: its plot, moved by as much as the track's own target
   /// lies off it, its errors enlarged by what is not known of that. nullptr: the detection is not shared.
   const tws::Plot* asSeenBy(const Track& track, const Detection& detection) const;

@@ -80,13 +80,13 @@ std::unique_ptr<Listener> track(const RadarSectors& seen, bool bifurcation, cons
 /// Whose tracks come within 2 km of the target at that time and are believed, the nearest first.
 std::vector<std::uint32_t> at(const Listener& listener, const TestTarget& target, double time) {
   std::map<std::uint32_t, std::pair<bool, double>> last;  // is it there, how near
-  for (const Word& w : listener.words) {
+  for (const RecordedUpdate& w : listener.updates) {
     if (w.kinematics.time > time) continue;
     const double dt = time - w.kinematics.time;
     const Kinematics& k = w.kinematics;
     const double distance = std::hypot(k.x + k.vx * dt - target.x - target.vx * time,  //
                                        k.y + k.vy * dt - target.y - target.vy * time);
-    last[w.uid] = {w.believed && w.event != TrackEvent::kDropped && distance < 2000.0, distance};
+    last[w.uid] = {w.confirmed && w.event != TrackEvent::kDropped && distance < 2000.0, distance};
   }
   std::vector<std::pair<double, std::uint32_t>> near;
   for (const auto& [uid, place] : last) {
@@ -123,9 +123,9 @@ Partings countPartings(bool bifurcation, const std::string& set, int flights, in
     const Listener& listener = *tracked;
     const double third_update = flight.apart[5];  // of both targets
     double two = std::numeric_limits<double>::infinity();
-    std::set<std::uint32_t> believed, all = listener.believed();
-    for (const Word& w : listener.words) {
-      if (w.believed && believed.insert(w.uid).second && believed.size() == 2) two = w.kinematics.time;
+    std::set<std::uint32_t> confirmed, all = listener.confirmed();
+    for (const RecordedUpdate& w : listener.updates) {
+      if (w.confirmed && confirmed.insert(w.uid).second && confirmed.size() == 2) two = w.kinematics.time;
     }
     count.in_time += two < third_update + 0.5 ? 1 : 0;
     count.seconds += std::min(60.0, two - flight.apart.front()) / flights;
@@ -218,7 +218,7 @@ TEST(TrackBifurcation, AWordIsAboutTheTimeAtWhichTheBeamMetTheTrack) {
   for (int i = 0; i < 20; ++i) {
     const Flight flight(parting(170.0, 50.0), 170.0, 500 + i);
     const auto listener = track(flight.seen, true);
-    for (const Word& w : listener->words) {
+    for (const RecordedUpdate& w : listener->updates) {
       EXPECT_NEAR(w.kinematics.time, w.sector_time, 1.0) << "flight " << i << ", track " << w.uid;
     }
   }
@@ -245,7 +245,7 @@ int secondTracks(double share, bool bifurcation, int flights, int first = 900) {
                   [](const auto& a, const auto& b) { return a.time < b.time; });
       }
     }
-    second += track(flight.seen, bifurcation)->believed().size() > 1 ? 1 : 0;
+    second += track(flight.seen, bifurcation)->confirmed().size() > 1 ? 1 : 0;
   }
   return second;
 }
@@ -271,7 +271,7 @@ TEST(TrackBifurcation, ABranchDoesNotLiveOnItsParentsDetections) {
     Listener listener(params);
     feedInOrder(listener.adit, seen);
     listener.adit.finish();
-    EXPECT_EQ(listener.believed().size(), 1U) << beside;
+    EXPECT_EQ(listener.confirmed().size(), 1U) << beside;
     EXPECT_EQ(listener.of(TrackEvent::kDropped).size(), 1U) << beside;
   }
 }

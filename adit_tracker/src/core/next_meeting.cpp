@@ -36,7 +36,8 @@ void NextMeeting::aimAt(Track& track, const tws::SectorRef& sector) const {
   const bool from_here = radars_.at(track.predicted.radar).site == radar.site;
   const double azimuth =
       from_here ? track.predicted.azimuth
-                : motion_.seenBy(track, sector.radar, antenna.timeAt(tws::Antenna::startOf(sector.running))).azimuth;
+                : motion_.apparentPosition(track, sector.radar, antenna.timeAt(tws::Antenna::startOf(sector.running)))
+                      .azimuth;
   const double time = antenna.timeAt(tws::Antenna::near(azimuth, sector.running));
   if (track.predicted.radar == sector.radar && std::abs(time - track.predicted.time) < kPredictionTolerance) return;
   motion_.predict(track, sector.radar, time, radar.quality);
@@ -104,7 +105,7 @@ double NextMeeting::nextIllumination(const Track& track, std::size_t radar) cons
   const tws::Antenna& antenna = radars_.antenna(radar);
   const double earliest = std::max(tws::Antenna::startOf(order_.front(radar)), track.illuminated[radar] + tws::kPi);
   const auto atLeast = [&](double azimuth) { return earliest + tws::wrapTwoPi(azimuth - earliest); };
-  const Seen seen = motion_.seenBy(track, radar, track.smoothed.time);
+  const ApparentPosition seen = motion_.apparentPosition(track, radar, track.smoothed.time);
   const double guess = atLeast(seen.azimuth);
   // Right over the site, azimuth rates have no meaning: half a turn at most.
   const double moved =

@@ -49,7 +49,7 @@ void RadarQuality::learnErrors(double range_deviation, double cross_range_deviat
   setGain(std::max(kLeastGain, 0.985 * gain_));
 }
 
-void RadarQuality::saw(double range) { greatest_range_ = std::max(greatest_range_, range); }
+void RadarQuality::addRange(double range) { greatest_range_ = std::max(greatest_range_, range); }
 
 void RadarQuality::learnFalsePlots(std::size_t unused) {
   constexpr double kScans = 4.0;  // time constant

@@ -27,7 +27,7 @@ class RadarQuality {
   void learnErrors(double range_deviation, double cross_range_deviation);
 
   /// A plot has come, at that range: the radar sees at least so far.
-  void saw(double range);
+  void addRange(double range);
   /// A sector ended with so many plots that started something new.
   void learnFalsePlots(std::size_t unused);
 

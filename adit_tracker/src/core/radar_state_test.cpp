@@ -62,8 +62,8 @@ TEST(RadarQuality, NeverLearnsBeyondItsLimits) {
 // If this fails, the chance of existence weighs plots by a wrong density of false ones.
 TEST(RadarQuality, LearnsHowManyFalsePlotsThereAre) {
   RadarQuality quality(params(), true);
-  quality.saw(100e3);
-  quality.saw(20e3);
+  quality.addRange(100e3);
+  quality.addRange(20e3);
   for (int sector = 0; sector < 64 * 40; ++sector) quality.learnFalsePlots(sector % 4 == 0 ? 2 : 0);  // 32 a scan
   EXPECT_NEAR(quality.falsePlots(), 32.0, 0.5);
   EXPECT_NEAR(quality.falseDensity(), quality.falsePlots() / (3.14159265 * 1e10), 1e-12);

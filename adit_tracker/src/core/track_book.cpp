@@ -23,10 +23,10 @@ void TrackBook::begin(const tws::SectorRef& sector, double enter_time) {
   report_.running = sector.running;
   report_.enter_time = enter_time;
   report_.skipped = false;
-  report_.words = by_hand_;
+  report_.updates = by_hand_;
   dropped_.clear();
-  for (const TrackWord& word : by_hand_) {
-    if (word.event == TrackEvent::kDropped) dropped_.push_back(word.slot);
+  for (const TrackUpdate& update : by_hand_) {
+    if (update.event == TrackEvent::kDropped) dropped_.push_back(update.slot);
   }
   by_hand_.clear();
 }
@@ -76,7 +76,7 @@ void TrackBook::start(Slot slot, std::size_t radar, double unwrapped_azimuth) {
   track.updated[radar] = track.first_time;
   track.illuminated[radar] = unwrapped_azimuth;
   track.detected_by = static_cast<std::uint16_t>(1U << radar);
-  report_.words.push_back({slot, TrackEvent::kStarted, track.first_time});
+  report_.updates.push_back({slot, TrackEvent::kStarted, track.first_time});
 }
 
 void TrackBook::branch(Track& track, const Parting& parting, std::size_t radar) {
@@ -87,7 +87,7 @@ void TrackBook::branch(Track& track, const Parting& parting, std::size_t radar) 
 }
 
 /// Is the track settled and straight, so that its innovation shows the radar's own errors?
-bool TrackBook::tellsErrors(const Track& track, const tws::Plot& plot) const {
+bool TrackBook::showsErrors(const Track& track, const tws::Plot& plot) const {
   constexpr double kSurelyStraight = 0.9;
   return learn_noise_ && std::isnan(plot.range_sigma) && !track.predicted.vague_height && track.firm &&
          track.updates > kSettledUpdates &&
@@ -97,7 +97,7 @@ bool TrackBook::tellsErrors(const Track& track, const tws::Plot& plot) const {
 void TrackBook::update(Slot slot, const tws::SectorRef& sector, RadarQuality& quality, const tws::Plot& plot,
                        const tws::Plot* merged, bool disputed) {
   Track& track = tracks_.at(slot);
-  if (merged == nullptr && tellsErrors(track, plot)) {
+  if (merged == nullptr && showsErrors(track, plot)) {
     const Prediction& p = track.predicted;
     quality.learnErrors((plot.range - p.range) / std::sqrt(p.innovation.xx),
                         p.range * tws::angularDifference(plot.azimuth, p.azimuth) / std::sqrt(p.innovation.yy));
@@ -112,7 +112,7 @@ void TrackBook::update(Slot slot, const tws::SectorRef& sector, RadarQuality& qu
   track.illuminated[sector.radar] = tws::Antenna::near(plot.azimuth, sector.running);
   track.detected_by = static_cast<std::uint16_t>(track.detected_by | 1U << sector.radar);
   if (judge_.updated(track, sector.radar, log_likelihood, quality, !disputed)) ++counts_.tracks_firm;
-  report_.words.push_back({slot, TrackEvent::kUpdated, track.smoothed.time});
+  report_.updates.push_back({slot, TrackEvent::kUpdated, track.smoothed.time});
 }
 
 void TrackBook::share(Slot slot, const tws::SectorRef& sector, const tws::Plot& plot, const tws::Plot& merged) {
@@ -123,11 +123,11 @@ void TrackBook::share(Slot slot, const tws::SectorRef& sector, const tws::Plot& 
     track.updated[sector.radar] = plot.time;
   }
   track.updates = updates;  // no evidence
-  judge_.hidden(track, plot.time);
+  judge_.unresolved(track, plot.time);
   track.coasting = false;
   track.illuminated[sector.radar] = tws::Antenna::near(plot.azimuth, sector.running);
   track.detected_by = static_cast<std::uint16_t>(track.detected_by | 1U << sector.radar);
-  report_.words.push_back({slot, TrackEvent::kUpdated, std::max(track.smoothed.time, plot.time)});
+  report_.updates.push_back({slot, TrackEvent::kUpdated, std::max(track.smoothed.time, plot.time)});
 }
 
 /// Is the target of one site beyond the reach of the other's radar? Then it is not missed there.
@@ -148,13 +148,13 @@ bool TrackBook::miss(Slot slot, const tws::SectorRef& sector) {
   if (dropped) {
     drop(slot, time);
   } else {
-    report_.words.push_back({slot, TrackEvent::kCoasted, time});
+    report_.updates.push_back({slot, TrackEvent::kCoasted, time});
   }
   return !dropped;
 }
 
 void TrackBook::drop(Slot slot, double time) {
-  report_.words.push_back({slot, TrackEvent::kDropped, time});
+  report_.updates.push_back({slot, TrackEvent::kDropped, time});
   dropped_.push_back(slot);
   ++counts_.tracks_dropped;
 }
@@ -172,8 +172,8 @@ void TrackBook::join(const std::vector<tws::SiteFrame>& frames) {
   for (const auto slot : living()) motion_.guessHeight(tracks_.at(slot));
 }
 
-Seen TrackBook::seenBy(Slot slot, std::size_t radar, double time) const {
-  if (motion_.joined()) return motion_.seenBy(tracks_.at(slot), radar, time);
+ApparentPosition TrackBook::apparentPosition(Slot slot, std::size_t radar, double time) const {
+  if (motion_.joined()) return motion_.apparentPosition(tracks_.at(slot), radar, time);
   const Kinematics k = extrapolate(slot, time).kinematics;
   return {k.range, k.azimuth, k.azimuth_rate};
 }

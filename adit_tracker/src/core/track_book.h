@@ -16,7 +16,7 @@ namespace adit_tracker {
 /// What happened to a track when a sector was processed.
 enum class TrackEvent { kStarted, kUpdated, kCoasted, kDropped };
 
-struct TrackWord {
+struct TrackUpdate {
   TrackFile::Slot slot;
   TrackEvent event;
   double time;  // of the detection, or of the illumination without one
@@ -27,8 +27,8 @@ struct SectorReport {
   std::size_t radar = 0;
   std::int64_t running = 0;
   double enter_time = 0.0;
-  bool skipped = false;          // overflow: its detections were ignored
-  std::vector<TrackWord> words;  // valid during the call
+  bool skipped = false;              // overflow: its detections were ignored
+  std::vector<TrackUpdate> updates;  // valid during the call
 };
 
 /// The living tracks: starts, updates, coasts and drops them, and reports what became of each in the sector at hand.
@@ -82,17 +82,17 @@ class TrackBook {
   /// A track at any instant, by its filter.
   Extrapolation extrapolate(Slot slot, double time) const { return motion_.at(tracks_.at(slot), time); }
   /// Where that radar would measure it then.
-  Seen seenBy(Slot slot, std::size_t radar, double time) const;
+  ApparentPosition apparentPosition(Slot slot, std::size_t radar, double time) const;
   /// Its height, where elevations have told it.
   std::optional<Height> height(Slot slot, double time) const { return heights_.at(tracks_.at(slot).uid, time); }
   /// Firm, and not in doubt after missed illuminations.
-  bool believed(const Track& track) const { return judge_.believed(track); }
+  bool confirmed(const Track& track) const { return judge_.confirmed(track); }
 
   TrackFile& file() { return tracks_; }
   const TrackMotion& motion() const { return motion_; }
 
  private:
-  bool tellsErrors(const Track& track, const tws::Plot& plot) const;
+  bool showsErrors(const Track& track, const tws::Plot& plot) const;
   bool outOfReach(const Track& track, const RadarQuality& quality) const;
   void doubtOtherSites(Track& track, std::size_t radar) const;
 
@@ -105,7 +105,7 @@ class TrackBook {
   HeightFile heights_;
   SectorReport report_;
   std::vector<Slot> dropped_;
-  std::vector<TrackWord> by_hand_;
+  std::vector<TrackUpdate> by_hand_;
 };
 
 }  // namespace adit_tracker

@@ -26,7 +26,7 @@ class TrackBookTest : public testing::Test {
   }
   std::vector<TrackEvent> events() const {
     std::vector<TrackEvent> events;
-    for (const auto& each : book_.latest().words) events.push_back(each.event);
+    for (const auto& each : book_.latest().updates) events.push_back(each.event);
     return events;
   }
 

@@ -37,7 +37,7 @@ void TrackJudge::age(Track& track, double time) const {
   track.last_illumination = std::max(track.last_illumination, time);
 }
 
-void TrackJudge::hidden(Track& track, double time) const {
+void TrackJudge::unresolved(Track& track, double time) const {
   if (params_.life == TrackLife::kExistence) age(track, time);
 }
 

@@ -20,10 +20,10 @@ class TrackJudge {
   /// The beam has passed at `time` and nothing was found. Returns true when the track is to be dropped.
   bool missed(Track& track, std::size_t radar, double time) const;
   /// The beam has passed at `time`, and what was found may have been this track's target or another one.
-  void hidden(Track& track, double time) const;
+  void unresolved(Track& track, double time) const;
 
   /// Firm, and not in doubt.
-  bool believed(const Track& track) const {
+  bool confirmed(const Track& track) const {
     return track.firm && (params_.life == TrackLife::kTimers || track.existence >= params_.existence.doubt_probability);
   }
 

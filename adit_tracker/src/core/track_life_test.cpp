@@ -29,7 +29,7 @@ TEST_F(TimersTest, FirmIsATrackThatIsUpdatedLaterThan20SecondsAfterItsFirstDetec
   track.last_update = 120.1;
   EXPECT_TRUE(judge_.updated(track, 0, 0.0, quality()));
   EXPECT_TRUE(track.firm);
-  EXPECT_TRUE(judge_.believed(track));
+  EXPECT_TRUE(judge_.confirmed(track));
   EXPECT_FALSE(judge_.updated(track, 0, 0.0, quality()));  // Only the first time is news.
 }
 
@@ -137,11 +137,11 @@ TEST_F(ExistenceTest, AFirmTrackInDoubtShowsAsTentativeAndGoesBelowOnePercent) {
   Track track = started();
   track.firm = true;
   track.existence = 0.9F;
-  EXPECT_TRUE(judge().believed(track));
+  EXPECT_TRUE(judge().confirmed(track));
   EXPECT_FALSE(judge().missed(track, 0, 106.0));  // Odds 9 · 0.15 = 1.35.
-  EXPECT_TRUE(judge().believed(track));
+  EXPECT_TRUE(judge().confirmed(track));
   EXPECT_FALSE(judge().missed(track, 0, 112.0));  // 1.35 · 0.235 = 0.317.
-  EXPECT_FALSE(judge().believed(track));
+  EXPECT_FALSE(judge().confirmed(track));
   EXPECT_FALSE(judge().missed(track, 0, 118.0));  // · 0.3115 = 0.0988.
   EXPECT_FALSE(judge().missed(track, 0, 124.0));  // · 0.38035 = 0.0376.
   EXPECT_FALSE(judge().missed(track, 0, 130.0));  // · 0.44232 = 0.0166.

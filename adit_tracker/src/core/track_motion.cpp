@@ -200,7 +200,7 @@ double TrackMotion::updateJoined(Track& track, const tws::Plot& plot, const Rada
   return log_likelihood;
 }
 
-Seen TrackMotion::seenBy(const Track& track, std::size_t radar, double time) const {
+ApparentPosition TrackMotion::apparentPosition(const Track& track, std::size_t radar, double time) const {
   const Kinematics& k = track.smoothed;
   if (!joined_) return {k.range, k.azimuth, k.azimuth_rate};
   const double dt = time - k.time;

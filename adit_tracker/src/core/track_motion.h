@@ -24,7 +24,7 @@ struct Parting {
 };
 
 /// How a radar sees a track.
-struct Seen {
+struct ApparentPosition {
   double range, azimuth, azimuth_rate;  // [m], [rad], [rad/s]
 };
 
@@ -55,7 +55,7 @@ class TrackMotion {
   Extrapolation at(const Track& track, double time) const;
 
   /// Slant range and azimuth of the track's latest state as the radar sees it.
-  Seen seenBy(const Track& track, std::size_t radar, double time) const;
+  ApparentPosition apparentPosition(const Track& track, std::size_t radar, double time) const;
 
   /// Of a plot of another sensor from the track at the plot's time: in standard deviations of both, squared.
   double squaredDistance(const Track& track, const tws::Plot& plot, double range_sigma, double azimuth_sigma,

@@ -15,8 +15,9 @@ constexpr std::int64_t kListSector = 61;
 constexpr std::int64_t kProcessedSector = kListSector - 1 - kSectorsAhead;
 
 bool isDropped(const SectorReport& report, TrackFile::Slot slot) {
-  return std::any_of(report.words.begin(), report.words.end(),
-                     [slot](const TrackWord& word) { return word.slot == slot && word.event == TrackEvent::kDropped; });
+  return std::any_of(report.updates.begin(), report.updates.end(), [slot](const TrackUpdate& update) {
+    return update.slot == slot && update.event == TrackEvent::kDropped;
+  });
 }
 
 }  // namespace
@@ -30,9 +31,9 @@ ElevationHandler::ElevationHandler(const Adit& adit)
 
 std::optional<ElevationList> ElevationHandler::afterSector(Adit& adit, const SectorReport& report) {
   if (report.radar != radar_) return std::nullopt;
-  for (const TrackWord& word : report.words) {
-    if (word.event == TrackEvent::kUpdated || word.event == TrackEvent::kCoasted)
-      schedule_.tried(adit.tracks().at(word.slot).uid);
+  for (const TrackUpdate& update : report.updates) {
+    if (update.event == TrackEvent::kUpdated || update.event == TrackEvent::kCoasted)
+      schedule_.tried(adit.tracks().at(update.slot).uid);
   }
   if (!isDue(report.running)) return std::nullopt;
   updateDesignations(adit, report);
@@ -86,10 +87,10 @@ ElevationSearch ElevationHandler::search(const Adit& adit, TrackFile::Slot slot,
   constexpr int kEnough = 4;  // steps; targets move little while the beam moves on by what they have moved
   const double north = tws::Antenna::startOf((running / tws::kSectors + 1) * tws::kSectors);
   const double earliest = north + params_.lead;
-  Seen there = adit.tracks().seenBy(slot, radar_, adit.radars().antenna(radar_).timeAt(earliest));
+  ApparentPosition there = adit.tracks().apparentPosition(slot, radar_, adit.radars().antenna(radar_).timeAt(earliest));
   for (int step = 0; step < kEnough; ++step) {
     const double meeting = earliest + tws::wrapTwoPi(there.azimuth - earliest);
-    there = adit.tracks().seenBy(slot, radar_, adit.radars().antenna(radar_).timeAt(meeting));
+    there = adit.tracks().apparentPosition(slot, radar_, adit.radars().antenna(radar_).timeAt(meeting));
   }
   return {adit.tracks().at(slot).number, tws::wrapTwoPi(there.azimuth - params_.lead), std::max(there.range, 1.0)};
 }

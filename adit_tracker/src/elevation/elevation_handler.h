@@ -32,7 +32,7 @@ class ElevationHandler {
 
   explicit ElevationHandler(const Adit& adit);
 
-  /// To be called after each sector, while its words are valid. The list, when the sector makes it due. It may
+  /// To be called after each sector, while its updates are valid. The list, when the sector makes it due. It may
   /// designate tracks (`elevation.automatic`).
   std::optional<ElevationList> afterSector(Adit& adit, const SectorReport& report);
 

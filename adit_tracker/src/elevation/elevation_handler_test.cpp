@@ -32,8 +32,8 @@ class ElevationHandlerTest : public testing::Test {
         }
         designate_at = kEnd;
       }
-      for (const TrackWord& word : report.words) {
-        if (word.event == TrackEvent::kDropped) dropped[adit->tracks().at(word.slot).number] = report.enter_time;
+      for (const TrackUpdate& update : report.updates) {
+        if (update.event == TrackEvent::kDropped) dropped[adit->tracks().at(update.slot).number] = report.enter_time;
       }
       if (auto list = handler->afterSector(*adit, report)) lists.push_back(*list);
     });

@@ -17,7 +17,7 @@ class ElevationInterface {
 
   /// A run begins. `adit` must outlive it.
   void begin(const Adit& adit) { handler_.emplace(adit); }
-  /// To be called after each sector, while its words are valid.
+  /// To be called after each sector, while its updates are valid.
   void afterSector(Adit& adit, const SectorReport& report);
 
  private:

@@ -11,7 +11,7 @@ IffInterface::IffInterface(tws_runtime::Bus& bus, const std::string& frame, cons
   for (std::size_t i = 0; i < params.size(); ++i) {
     interrogators_[i].name = params[i].name;
     bus.subscribe<tws_msgs::SsrPlots>(params[i].name + "/plots",
-                                      [this, i](const auto& m) { hear(interrogators_[i], m); });
+                                      [this, i](const auto& m) { onPlots(interrogators_[i], m); });
   }
 }
 
@@ -23,7 +23,7 @@ void IffInterface::beginNewRun(double time) {
   }
 }
 
-void IffInterface::hear(Interrogator& iff, const tws_msgs::SsrPlots& message) {
+void IffInterface::onPlots(Interrogator& iff, const tws_msgs::SsrPlots& message) {
   iff.frame = message.header.frame_id;
   tws::RadarSector sector;
   sector.sector = message.sector % tws::kSectors;
@@ -40,10 +40,10 @@ void IffInterface::hear(Interrogator& iff, const tws_msgs::SsrPlots& message) {
     plot.range = p.range;
     plot.azimuth = p.azimuth;
   }
-  await(iff, std::move(sector));
+  addSector(iff, std::move(sector));
 }
 
-void IffInterface::await(Interrogator& iff, tws::RadarSector sector) {
+void IffInterface::addSector(Interrogator& iff, tws::RadarSector sector) {
   iff.gone_back = iff.gone_back || sector.leave_time <= radars_at_ + restart_limit_;
   if (!iff.gone_back) {
     bus_.counter("messages of the old run")

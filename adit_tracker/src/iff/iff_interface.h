@@ -44,8 +44,8 @@ class IffInterface {
     bool site_unknown = false;
     bool gone_back = true;  // after the radars
   };
-  void hear(Interrogator& iff, const tws_msgs::SsrPlots& message);
-  void await(Interrogator& iff, tws::RadarSector sector);
+  void onPlots(Interrogator& iff, const tws_msgs::SsrPlots& message);
+  void addSector(Interrogator& iff, tws::RadarSector sector);
   bool findSite(Interrogator& iff, const RadarSites& sites);
   void leaveOut(const char* counter, std::size_t plots, const std::string& reason);
 

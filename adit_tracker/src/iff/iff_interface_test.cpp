@@ -74,18 +74,19 @@ class IffInterfaceTest : public testing::Test {
   using Aircraft = std::set<std::size_t>;
   std::pair<Aircraft, Aircraft> bits(double from, double to) const {
     std::pair<Aircraft, Aircraft> with_and_without;
-    for (const tws_msgs::Track& word : node_.words()) {
-      const double time = tws_runtime::toSeconds(word.stamp) - kEpoch;
-      if (time < from || time > to || word.state != tws_msgs::Track::FIRM) continue;
-      const bool bit = (word.detection_bits & tws_msgs::Track::DETECTED_BY_IFF) != 0;
-      (bit ? with_and_without.first : with_and_without.second).insert(nearest(word, time));
+    for (const tws_msgs::Track& update : node_.updates()) {
+      const double time = tws_runtime::toSeconds(update.stamp) - kEpoch;
+      if (time < from || time > to || update.state != tws_msgs::Track::FIRM) continue;
+      const bool bit = (update.detection_bits & tws_msgs::Track::DETECTED_BY_IFF) != 0;
+      (bit ? with_and_without.first : with_and_without.second).insert(nearest(update, time));
     }
     return with_and_without;
   }
 
-  std::size_t nearest(const tws_msgs::Track& word, double time) const {
+  std::size_t nearest(const tws_msgs::Track& update, double time) const {
     const auto off = [&](const TestTarget& t) {
-      return std::hypot(word.position.x - NodeGraph::kEast - t.x - t.vx * time, word.position.y - t.y - t.vy * time);
+      return std::hypot(update.position.x - NodeGraph::kEast - t.x - t.vx * time,
+                        update.position.y - t.y - t.vy * time);
     };
     const auto closer = [&](const TestTarget& a, const TestTarget& b) { return off(a) < off(b); };
     return static_cast<std::size_t>(std::min_element(aircraft_.begin(), aircraft_.end(), closer) - aircraft_.begin());

@@ -43,13 +43,13 @@ class Iff : public testing::Test {
     std::map<std::string, std::vector<std::pair<double, bool>>> bits;
     Adit* adit = nullptr;
     Adit tracker(params, [&](const SectorReport& report) {
-      for (const TrackWord& word : report.words) {
-        const Track& track = adit->tracks().at(word.slot);
-        const Kinematics k = adit->tracks().extrapolate(word.slot, word.time).kinematics;
+      for (const TrackUpdate& update : report.updates) {
+        const Track& track = adit->tracks().at(update.slot);
+        const Kinematics k = adit->tracks().extrapolate(update.slot, update.time).kinematics;
         const auto off = [&](const TestTarget& t) {
-          return std::hypot(k.x - t.x - t.vx * word.time, k.y - t.y - t.vy * word.time);
+          return std::hypot(k.x - t.x - t.vx * update.time, k.y - t.y - t.vy * update.time);
         };
-        bits[off(answers_) < off(silent_) ? "answers" : "silent"].emplace_back(word.time, track.answers_iff != 0);
+        bits[off(answers_) < off(silent_) ? "answers" : "silent"].emplace_back(update.time, track.answers_iff != 0);
       }
     });
     adit = &tracker;

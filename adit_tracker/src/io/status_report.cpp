@@ -35,7 +35,7 @@ void judgeRadars(const Adit& adit, const NodeState& state, Diagnosis& diagnosis)
   for (std::size_t i = 0; i < state.silence.size(); ++i) {
     if (!isStale(adit, state.silence[i])) continue;
     ++stale;
-    const std::string since = std::isinf(state.silence[i]) ? "was never heard" : "is silent";
+    const std::string since = std::isinf(state.silence[i]) ? "has sent nothing yet" : "is silent";
     add(diagnosis, Level::kWarning, adit.params().radars[i].name + " " + since);
   }
   if (stale == state.silence.size()) diagnosis.level = Level::kError;

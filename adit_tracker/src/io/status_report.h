@@ -15,7 +15,7 @@ struct NodeState {
   std::uint32_t operator_calls = 0;   ///< How often it was caught up since the last status.
   std::uint32_t skipped_sectors = 0;  ///< Since the last status.
   std::uint64_t bad_detections = 0;   ///< Refused before they reached the tracker.
-  std::vector<double> silence;        ///< Of each radar: since the end of its last sector [s]; infinity: never heard.
+  std::vector<double> silence;  ///< Of each radar: since the end of its last sector [s]; infinity: nothing came yet.
 };
 
 /// The report's ISTA, without header and name.

@@ -7,7 +7,7 @@
 namespace adit_tracker {
 
 const char* statusOf(const Adit& adit, const Track& track) {
-  if (!adit.tracks().believed(track)) return "tentative";
+  if (!adit.tracks().confirmed(track)) return "tentative";
   return track.coasting ? "coasting" : "firm";
 }
 
@@ -33,8 +33,8 @@ void TrackCsv::heightColumns(const std::optional<Height>& height) {
 }
 
 void TrackCsv::report(const Adit& adit, const SectorReport& report) {
-  for (const TrackWord& word : report.words) {
-    if (word.event != TrackEvent::kDropped) row(adit, word.slot, word.time);
+  for (const TrackUpdate& update : report.updates) {
+    if (update.event != TrackEvent::kDropped) row(adit, update.slot, update.time);
   }
 }
 
@@ -43,7 +43,7 @@ void TrackCsv::picture(const Adit& adit, double time) {
   const auto uid = [&](TrackFile::Slot s) { return adit.tracks().at(s).uid; };
   std::sort(slots.begin(), slots.end(), [&](auto a, auto b) { return uid(a) < uid(b); });
   for (const auto slot : slots) {
-    if (adit.tracks().believed(adit.tracks().at(slot))) row(adit, slot, time);
+    if (adit.tracks().confirmed(adit.tracks().at(slot))) row(adit, slot, time);
   }
 }
 

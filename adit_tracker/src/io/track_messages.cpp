@@ -17,7 +17,7 @@ constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
 std::uint8_t stateOf(const Adit& adit, const Track& track, TrackEvent event) {
   if (event == TrackEvent::kDropped) return tws_msgs::Track::DROPPED;
-  if (!adit.tracks().believed(track)) return tws_msgs::Track::TENTATIVE;
+  if (!adit.tracks().confirmed(track)) return tws_msgs::Track::TENTATIVE;
   return track.coasting ? tws_msgs::Track::COASTING : tws_msgs::Track::FIRM;
 }
 
@@ -53,11 +53,11 @@ void setCovariance(tws_msgs::Track& message, const tws::PlanarState& p, const Si
 
 }  // namespace
 
-tws_msgs::Track trackMessage(const Adit& adit, const TrackWord& word, const Site& site) {
-  const Track& track = adit.tracks().at(word.slot);
-  const Extrapolation now = adit.tracks().extrapolate(word.slot, word.time);
+tws_msgs::Track trackMessage(const Adit& adit, const TrackUpdate& update, const Site& site) {
+  const Track& track = adit.tracks().at(update.slot);
+  const Extrapolation now = adit.tracks().extrapolate(update.slot, update.time);
   tws_msgs::Track message = tws_runtime::blankTrack(track.number, track.uid);
-  message.state = stateOf(adit, track, word.event);
+  message.state = stateOf(adit, track, update.event);
   message.first_detection = tws_runtime::toTime(track.first_time);
   message.last_update = tws_runtime::toTime(track.last_update);
   setPlace(message, now.kinematics, site);
@@ -72,7 +72,7 @@ tws_msgs::Track trackMessage(const Adit& adit, const TrackWord& word, const Site
     message.radars.push_back(adit.params().radars[radar].name);
     message.radar_updates.push_back(tws_runtime::toTime(track.updated[radar]));
   }
-  if (const auto height = adit.tracks().height(word.slot, word.time))
+  if (const auto height = adit.tracks().height(update.slot, update.time))
     setHeight(message, *height, site, !adit.radars().severalSites());
   return message;
 }

@@ -12,7 +12,7 @@ using tws_runtime::Site;
 
 /// What the tracker says of a track: range and azimuth as the radars see it, position and velocity in the frame of
 /// positions.
-tws_msgs::Track trackMessage(const Adit& adit, const TrackWord& word, const Site& site);
+tws_msgs::Track trackMessage(const Adit& adit, const TrackUpdate& update, const Site& site);
 
 /// The clutter map without its header.
 tws_msgs::ClutterMap clutterMessage(const Adit& adit);

@@ -10,14 +10,14 @@
 namespace adit_tracker {
 namespace {
 
-/// The message of each track's first word.
+/// The message of each track's first update.
 std::vector<tws_msgs::Track> firstWords(const AditParams& params, const RadarSectors& radars,
                                         std::uint64_t& from_clutter) {
   std::vector<tws_msgs::Track> messages;
   Adit* tracker = nullptr;
   Adit adit(params, [&](const SectorReport& report) {
-    for (const TrackWord& word : report.words)
-      if (word.event == TrackEvent::kStarted) messages.push_back(trackMessage(*tracker, word, Site{}));
+    for (const TrackUpdate& update : report.updates)
+      if (update.event == TrackEvent::kStarted) messages.push_back(trackMessage(*tracker, update, Site{}));
   });
   tracker = &adit;
   feedInOrder(adit, radars);

@@ -189,35 +189,35 @@ class OperatorDeskGoesOn : public OperatorDesk {
     feedInOrder(adit(), radars);
   }
 
-  std::vector<Word> wordsOn(std::uint32_t uid, std::size_t from) {
-    std::vector<Word> words;
-    std::copy_if(listener->words.begin() + static_cast<std::ptrdiff_t>(from), listener->words.end(),
-                 std::back_inserter(words), [&](const Word& w) { return w.uid == uid; });
-    return words;
+  std::vector<RecordedUpdate> wordsOn(std::uint32_t uid, std::size_t from) {
+    std::vector<RecordedUpdate> updates;
+    std::copy_if(listener->updates.begin() + static_cast<std::ptrdiff_t>(from), listener->updates.end(),
+                 std::back_inserter(updates), [&](const RecordedUpdate& w) { return w.uid == uid; });
+    return updates;
   }
 };
 
 // If this fails, a dropped track lives on, is never reported as dropped, or its number is lost.
 TEST_F(OperatorDeskGoesOn, ADroppedTrackIsGoneAtOnceAndSaysItsLastWordWithTheNextSector) {
   const std::uint32_t number = numberAt(90), uid = track(number).uid;
-  const std::size_t said = listener->words.size();
+  const std::size_t said = listener->updates.size();
   EXPECT_EQ(order(Action::kDrop, number).count, 1U);
   EXPECT_FALSE(adit().tracks().find(number).has_value());
   EXPECT_EQ(order(Action::kDrop, number).refusal, "there is no track " + std::to_string(number));
   goOn(kNow + 6.0, {});
-  const auto words = wordsOn(uid, said);
-  ASSERT_EQ(words.size(), 1U);
-  EXPECT_EQ(words[0].event, TrackEvent::kDropped);
-  EXPECT_EQ(words[0].sector_time, listener->words[said].sector_time);
+  const auto updates = wordsOn(uid, said);
+  ASSERT_EQ(updates.size(), 1U);
+  EXPECT_EQ(updates[0].event, TrackEvent::kDropped);
+  EXPECT_EQ(updates[0].sector_time, listener->updates[said].sector_time);
 }
 
 TEST_F(OperatorDeskGoesOn, DropAllEndsEveryTrack) {
   const std::uint32_t before = adit().tracks().size();
-  const std::size_t said = listener->words.size();
+  const std::size_t said = listener->updates.size();
   EXPECT_EQ(ask(Action::kDropAll).count, before);
   EXPECT_TRUE(adit().tracks().living().empty());
   goOn(kNow + 2.0, {});
-  EXPECT_EQ(listener->words.size() - said, before);
+  EXPECT_EQ(listener->updates.size() - said, before);
   EXPECT_EQ(adit().tracks().size(), 0U);
 }
 
@@ -228,12 +228,12 @@ TEST_F(OperatorDeskGoesOn, ATrackStartedByHandTakesTheDetectionsThereAndBecomesF
   ASSERT_EQ(answer.refusal, "");
   const std::uint32_t uid = adit().tracks().at(answer.tracks.front()).uid;
   goOn(kNow + 30.0, {passing(-30e3, -70e3, 100.0, 100.0)});
-  const auto words = wordsOn(uid, 0);
-  ASSERT_GT(words.size(), 4U);
-  EXPECT_EQ(words[0].event, TrackEvent::kStarted);
-  EXPECT_EQ(words[1].event, TrackEvent::kUpdated);
-  EXPECT_TRUE(words.back().believed);
-  EXPECT_NEAR(words.back().kinematics.vx, 100.0, 30.0);
+  const auto updates = wordsOn(uid, 0);
+  ASSERT_GT(updates.size(), 4U);
+  EXPECT_EQ(updates[0].event, TrackEvent::kStarted);
+  EXPECT_EQ(updates[1].event, TrackEvent::kUpdated);
+  EXPECT_TRUE(updates.back().confirmed);
+  EXPECT_NEAR(updates.back().kinematics.vx, 100.0, 30.0);
 }
 
 TEST_F(OperatorDeskGoesOn, ATrackStartedByHandWhereNothingIsEnds) {
