@@ -12,7 +12,7 @@ using Matrix4 = Eigen::Matrix4d;
 using Matrix24 = Eigen::Matrix<double, 2, 4>;
 inline constexpr double kPi = 3.14159265358979323846;
 
-inline Matrix4 denseOf(const PlanarState& s) {
+inline Matrix4 denseOf(const PlanarMotion& s) {
   Matrix4 p;
   p << s.position.xx, s.position.xy, s.x_vx, s.x_vy,  //
       s.position.xy, s.position.yy, s.y_vx, s.y_vy,   //
@@ -21,7 +21,7 @@ inline Matrix4 denseOf(const PlanarState& s) {
   return p;
 }
 
-inline Vector4 meanOf(const PlanarState& s) { return {s.x, s.y, s.vx, s.vy}; }
+inline Vector4 meanOf(const PlanarMotion& s) { return {s.x, s.y, s.vx, s.vy}; }
 
 inline Eigen::Matrix2d denseOf(const Symmetric2& m) { return (Eigen::Matrix2d() << m.xx, m.xy, m.xy, m.yy).finished(); }
 

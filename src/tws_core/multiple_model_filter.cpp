@@ -8,7 +8,7 @@ namespace tws {
 namespace {
 
 constexpr double kLogTwoPi = 1.83787706640934548356;
-using States = std::array<PlanarState, MultipleModelFilter::kModels>;
+using States = std::array<PlanarMotion, MultipleModelFilter::kModels>;
 using Weights = std::array<double, MultipleModelFilter::kModels>;
 
 /// How position and velocity turn in a time step: p += A v, v = C v, with A = [a -b; b a] and C = [c -d; d c].
@@ -23,7 +23,7 @@ std::array<Motion, MultipleModelFilter::kModels> motions(double dt, double turn_
   return {Motion{dt, 0.0, 1.0, 0.0}, Motion{a, b, cosine, sine}, Motion{a, -b, cosine, -sine}};
 }
 
-void moveMean(PlanarState& s, const Motion& m) {
+void moveMean(PlanarMotion& s, const Motion& m) {
   const double vx = s.vx, vy = s.vy;
   s.x += m.a * vx - m.b * vy;
   s.y += m.b * vx + m.a * vy;
@@ -32,7 +32,7 @@ void moveMean(PlanarState& s, const Motion& m) {
 }
 
 /// The position's block of F P F' + Q, with Q of white acceleration of density q.
-Symmetric2 movedPosition(const PlanarState& s, const Motion& m, double dt, double q) {
+Symmetric2 movedPosition(const PlanarMotion& s, const Motion& m, double dt, double q) {
   const double a = m.a, b = m.b, spread = q * dt * dt * dt / 3.0;
   const Symmetric2& v = s.velocity;
   // A·V, and (cross)·A'.
@@ -46,7 +46,7 @@ Symmetric2 movedPosition(const PlanarState& s, const Motion& m, double dt, doubl
 }
 
 /// P ← F P F' + Q, block by block.
-void moveCovariance(PlanarState& s, const Motion& m, double dt, double q) {
+void moveCovariance(PlanarMotion& s, const Motion& m, double dt, double q) {
   s.position = movedPosition(s, m, dt, q);
   const auto [a, b, c, d] = m;
   const Symmetric2 v = s.velocity;
@@ -67,7 +67,7 @@ struct Fit {
 };
 
 /// Kalman update with a position.
-Fit correct(PlanarState& s, const PlanarPosition& z) {
+Fit correct(PlanarMotion& s, const PlanarPosition& z) {
   const Symmetric2 S{s.position.xx + z.covariance.xx, s.position.xy + z.covariance.xy, s.position.yy + z.covariance.yy};
   const double inverse = 1.0 / S.determinant();
   const Symmetric2 W{S.yy * inverse, -S.xy * inverse, S.xx * inverse};
@@ -99,7 +99,7 @@ Fit correct(PlanarState& s, const PlanarPosition& z) {
 }
 
 /// Adds weight · (covariance of `from` + spread of its mean about that of `to`) to the covariance of `to`.
-void addSpread(PlanarState& to, const PlanarState& from, double weight) {
+void addSpread(PlanarMotion& to, const PlanarMotion& from, double weight) {
   const double dx = from.x - to.x, dy = from.y - to.y, dvx = from.vx - to.vx, dvy = from.vy - to.vy;
   to.position.xx += weight * (from.position.xx + dx * dx);
   to.position.xy += weight * (from.position.xy + dx * dy);
@@ -113,8 +113,8 @@ void addSpread(PlanarState& to, const PlanarState& from, double weight) {
   to.velocity.yy += weight * (from.velocity.yy + dvy * dvy);
 }
 
-PlanarState meanOf(const States& states, const Weights& weights) {
-  PlanarState result;
+PlanarMotion meanOf(const States& states, const Weights& weights) {
+  PlanarMotion result;
   for (std::size_t i = 0; i < states.size(); ++i) {
     result.x += weights[i] * states[i].x;
     result.y += weights[i] * states[i].y;
@@ -125,8 +125,8 @@ PlanarState meanOf(const States& states, const Weights& weights) {
 }
 
 /// One Gaussian with the mean and the covariance of the mixture.
-PlanarState merged(const States& states, const Weights& weights) {
-  PlanarState result = meanOf(states, weights);
+PlanarMotion merged(const States& states, const Weights& weights) {
+  PlanarMotion result = meanOf(states, weights);
   for (std::size_t i = 0; i < states.size(); ++i) {
     if (weights[i] > 0.0) addSpread(result, states[i], weights[i]);
   }
@@ -134,7 +134,7 @@ PlanarState merged(const States& states, const Weights& weights) {
 }
 
 /// Of the nearest site [m²].
-double squaredDistance(const PlanarState& s, const MultipleModelParams& params) {
+double squaredDistance(const PlanarMotion& s, const MultipleModelParams& params) {
   if (params.sites.empty()) return s.x * s.x + s.y * s.y;
   double least = std::numeric_limits<double>::infinity();
   for (const auto& site : params.sites)
@@ -144,7 +144,7 @@ double squaredDistance(const PlanarState& s, const MultipleModelParams& params) 
 
 /// Density of the acceleration that straight flight at the assumed height h seems to have in slant range on the plane:
 /// h²v²/r³, lasting dt [m²/s³].
-double slantAcceleration(const PlanarState& s, double dt, const MultipleModelParams& params) {
+double slantAcceleration(const PlanarMotion& s, double dt, const MultipleModelParams& params) {
   const double r2 = std::max(squaredDistance(s, params), params.assumed_height * params.assumed_height);
   if (r2 == 0.0) return 0.0;
   const double h2 = params.assumed_height * params.assumed_height, v2 = s.vx * s.vx + s.vy * s.vy;
@@ -169,7 +169,7 @@ void move(States& states, double dt, const MultipleModelParams& params) {
 }
 
 /// Squared distance of a measurement from a prediction, in standard deviations.
-double surprise(const PlanarState& s, const PlanarPosition& z) {
+double surprise(const PlanarMotion& s, const PlanarPosition& z) {
   const Symmetric2 S{s.position.xx + z.covariance.xx, s.position.xy + z.covariance.xy, s.position.yy + z.covariance.yy};
   return S.mahalanobis(z.x - s.x, z.y - s.y);
 }
@@ -179,7 +179,7 @@ constexpr double kSurprise = 16.0;
 constexpr double kLogManoeuvre = -4.6;  // ln 0.01
 
 /// Covariance of an unknown constant acceleration over dt.
-void addManoeuvre(PlanarState& s, double dt, double acceleration) {
+void addManoeuvre(PlanarMotion& s, double dt, double acceleration) {
   const double a2 = acceleration * acceleration, t2 = dt * dt;
   s.position.xx += 0.25 * a2 * t2 * t2;
   s.position.yy += 0.25 * a2 * t2 * t2;
@@ -192,7 +192,7 @@ void addManoeuvre(PlanarState& s, double dt, double acceleration) {
 }  // namespace
 
 void MultipleModelFilter::start(const PlanarPosition& z, const MultipleModelParams& params) {
-  PlanarState first;
+  PlanarMotion first;
   first.x = z.x;
   first.y = z.y;
   first.position = z.covariance;
@@ -203,7 +203,7 @@ void MultipleModelFilter::start(const PlanarPosition& z, const MultipleModelPara
 }
 
 void MultipleModelFilter::setVelocity(double vx, double vy, const Symmetric2& covariance) {
-  for (PlanarState& s : state_) {
+  for (PlanarMotion& s : state_) {
     s.vx = vx;
     s.vy = vy;
     s.velocity = covariance;
@@ -234,9 +234,9 @@ double MultipleModelFilter::update(const PlanarPosition& z, double dt, const Mul
   move(state_, dt, params);
   const bool manoeuvre =
       params.manoeuvre_acceleration > 0.0 &&
-      std::all_of(state_.begin(), state_.end(), [&](const PlanarState& s) { return surprise(s, z) > kSurprise; });
+      std::all_of(state_.begin(), state_.end(), [&](const PlanarMotion& s) { return surprise(s, z) > kSurprise; });
   if (manoeuvre) {
-    for (PlanarState& s : state_) addManoeuvre(s, dt, params.manoeuvre_acceleration);
+    for (PlanarMotion& s : state_) addManoeuvre(s, dt, params.manoeuvre_acceleration);
   }
   std::array<Fit, kModels> fit{};
   for (std::size_t i = 0; i < kModels; ++i) fit[i] = correct(state_[i], z);
@@ -252,15 +252,15 @@ double MultipleModelFilter::update(const PlanarPosition& z, double dt, const Mul
 }
 
 void MultipleModelFilter::shift(double dx, double dy) {
-  for (PlanarState& state : state_) {
+  for (PlanarMotion& state : state_) {
     state.x += dx;
     state.y += dy;
   }
 }
 
-PlanarState MultipleModelFilter::mean() const { return meanOf(state_, probability_); }
+PlanarMotion MultipleModelFilter::mean() const { return meanOf(state_, probability_); }
 
-PlanarState MultipleModelFilter::predict(double dt, const MultipleModelParams& params) const {
+PlanarMotion MultipleModelFilter::predict(double dt, const MultipleModelParams& params) const {
   States moved = state_;
   move(moved, dt, params);
   return merged(moved, probability_);
@@ -272,7 +272,7 @@ PlanarPosition MultipleModelFilter::predictPosition(double dt, const MultipleMod
   std::array<PlanarPosition, kModels> moved;
   PlanarPosition result;
   for (std::size_t i = 0; i < kModels; ++i) {
-    const PlanarState& s = state_[i];
+    const PlanarMotion& s = state_[i];
     moved[i] = {s.x + motion[i].a * s.vx - motion[i].b * s.vy, s.y + motion[i].b * s.vx + motion[i].a * s.vy,
                 movedPosition(s, motion[i], dt, acceleration[i])};
     result.x += probability_[i] * moved[i].x;

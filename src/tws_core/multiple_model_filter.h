@@ -51,7 +51,7 @@ class MultipleModelFilter {
   void shift(double dx, double dy);
 
   /// The mixture moved on by dt [s], by one Gaussian of the same mean and covariance.
-  PlanarState predict(double dt, const MultipleModelParams& params) const;
+  PlanarMotion predict(double dt, const MultipleModelParams& params) const;
 
   /// The position of that alone, at less cost.
   PlanarPosition predictPosition(double dt, const MultipleModelParams& params) const;
@@ -62,7 +62,7 @@ class MultipleModelFilter {
   }
 
   /// The mean of the mixture now; its covariances are left at 0.
-  PlanarState mean() const;
+  PlanarMotion mean() const;
 
   /// Chance that the target flies straight now, 0..1.
   double straightProbability() const { return probability_[0]; }
@@ -70,7 +70,7 @@ class MultipleModelFilter {
  private:
   void mix(double dt, const MultipleModelParams& params);
 
-  std::array<PlanarState, kModels> state_;
+  std::array<PlanarMotion, kModels> state_;
   std::array<double, kModels> probability_{};
 };
 

@@ -50,7 +50,7 @@ TEST(MultipleModelFilter, DoesWhatTheTextbookDoesWithDenseMatrices) {
     }
     DenseImm later = dense;
     for (int i = 0; i < DenseImm::kModels; ++i) later.move(i, 7.0);
-    const PlanarState predicted = filter.predict(7.0, dense.params);
+    const PlanarMotion predicted = filter.predict(7.0, dense.params);
     const PlanarPosition alone = filter.predictPosition(7.0, dense.params);
     EXPECT_NEAR(alone.x, predicted.x, 1e-6);
     EXPECT_NEAR(alone.y, predicted.y, 1e-6);
@@ -191,7 +191,7 @@ double meanSquaredError(const MultipleModelParams& params, bool turns, std::mt19
         filter.update(z, kStep, params);
       }
     }
-    const PlanarState now = filter.predict(0.0, params);
+    const PlanarMotion now = filter.predict(0.0, params);
     const Vector4 error = truth - meanOf(now);
     sum += error.dot(denseOf(now).inverse() * error) / kFlights;
   }
@@ -300,7 +300,7 @@ TEST(MultipleModelFilter, AFlightAtTheAssumedHeightStaysWithinItsGateNearTheSite
       filter.start(z, params);
       continue;
     }
-    const PlanarState p = filter.predict(4.0, params);
+    const PlanarMotion p = filter.predict(4.0, params);
     const Symmetric2 s{p.position.xx + z.covariance.xx, p.position.xy + z.covariance.xy,
                        p.position.yy + z.covariance.yy};
     EXPECT_LT(s.mahalanobis(z.x - p.x, z.y - p.y), 25.0) << "at x " << x;

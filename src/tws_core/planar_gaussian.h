@@ -30,7 +30,7 @@ inline PlanarPosition planarMeasurement(double range, double azimuth, double ran
 
 /// Gaussian of position and velocity on the plane. The covariance is kept as blocks: position, cross (row: position,
 /// column: velocity), velocity.
-struct PlanarState {
+struct PlanarMotion {
   double x = 0.0, y = 0.0, vx = 0.0, vy = 0.0;  // [m], [m/s]
   Symmetric2 position;
   double x_vx = 0.0, x_vy = 0.0, y_vx = 0.0, y_vy = 0.0;

@@ -14,7 +14,7 @@ double rangeOf(double x, double y) {
 
 double azimuthOf(double x, double y) { return tws::wrapTwoPi(std::atan2(x, y)); }
 
-Kinematics fromPlanar(const tws::PlanarState& s, double time) {
+Kinematics fromPlanar(const tws::PlanarMotion& s, double time) {
   Kinematics k;
   k.time = time;
   k.x = s.x;
@@ -115,7 +115,7 @@ void TrackMotion::start(Track& track, const tws::Plot& plot, const RadarQuality&
   if (joined_) {
     track.height_guess = HeightGuess::below(params_.turning.assumed_height, plot.range);
     z = track.height_guess.begin(plot, quality.rangeSigma(plot), quality.azimuthSigma(plot), frames_[radar]);
-    tws::PlanarState at_rest;
+    tws::PlanarMotion at_rest;
     at_rest.x = z.x;
     at_rest.y = z.y;
     track.smoothed = fromPlanar(at_rest, plot.time);
@@ -234,9 +234,9 @@ Extrapolation TrackMotion::at(const Track& track, double time) const {
     return {fromPolar(polar->range.position + polar->range.velocity * dt,
                       polar->azimuth.position + polar->azimuth.velocity * dt, polar->range.velocity,
                       polar->azimuth.velocity, time),
-            false, tws::PlanarState{}};
+            false, tws::PlanarMotion{}};
   }
-  const tws::PlanarState planar = std::get<tws::MultipleModelFilter>(track.filter).predict(dt, params_.turning);
+  const tws::PlanarMotion planar = std::get<tws::MultipleModelFilter>(track.filter).predict(dt, params_.turning);
   Extrapolation there{fromPlanar(planar, time), true, planar};
   if (joined_) {
     Kinematics& k = there.kinematics;

@@ -10,7 +10,7 @@ namespace adit_tracker {
 struct Extrapolation {
   Kinematics kinematics;
   bool has_covariance = false;
-  tws::PlanarState planar;
+  tws::PlanarMotion planar;
 };
 
 /// A target that has parted from another one, as a radar sees it.

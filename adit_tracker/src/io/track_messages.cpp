@@ -36,7 +36,7 @@ void setPlace(tws_msgs::Track& message, const Kinematics& k, const Site& site) {
   message.course = message.speed > 0.0 ? tws::wrapTwoPi(std::atan2(k.vx, k.vy)) : kUnknown;
 }
 
-void setCovariance(tws_msgs::Track& message, const tws::PlanarState& p, const Site& site) {
+void setCovariance(tws_msgs::Track& message, const tws::PlanarMotion& p, const Site& site) {
   const double c = std::cos(site.turn), s = std::sin(site.turn);
   const double own[4][4] = {{p.position.xx, p.position.xy, p.x_vx, p.x_vy},
                             {p.position.xy, p.position.yy, p.y_vx, p.y_vy},
