@@ -88,7 +88,7 @@ GraphFile readGraphFile(const std::string& path) {
 }
 
 std::string packageFolder(const std::string& package) {
-  const std::string folder = ros::package::getPath(package);
+  std::string folder = ros::package::getPath(package);
   if (folder.empty()) throw std::runtime_error("package " + package + " is not found: source setup.bash");
   return folder;
 }

@@ -91,7 +91,7 @@ void RunSummary::add(const tws_msgs::Tracks& message) {
 }
 
 void RunSummary::add(const tws_msgs::CorrelatedTracks& message) {
-  if (!correlator_) correlator_.emplace();
+  if (!correlator_) correlator_ = Correlator{};
   for (const tws_msgs::CorrelatedTrack& track : message.tracks) {
     correlator_->tracks.last_state[track.identity] = track.track.state;
     correlator_->kind[track.identity] = track.kind;
