@@ -10,10 +10,9 @@
 namespace tws_runtime {
 namespace {
 
-constexpr std::size_t kMostStrays = 512;
-// A run goes on behind a gap when so many messages, over so long a time, agree.
+constexpr std::size_t kMostStrays = 8;
+// A run goes on behind a gap when so many messages agree: one more than the two of a sector that was damaged.
 constexpr std::size_t kFewestAgreeing = 3;
-constexpr double kShortestAgreement = 1.0;  // [s]
 constexpr double kDoNotWait = -std::numeric_limits<double>::infinity();
 constexpr std::int64_t kMemory = std::int64_t{8} * tws::kSectors;  // Sectors behind for which losses are remembered.
 
@@ -85,7 +84,6 @@ void SectorJoin::holdBack(Message message) {
   strays_.push_back(message);
   if (strays_.size() > kMostStrays) strays_.pop_front();
   if (agreeing.size() + 1 < kFewestAgreeing) return;
-  if (crossing.time - crossingOf(agreeing.front()).time < kShortestAgreement) return;
   agreeing.push_back(std::move(message));
   continueWith(agreeing);
 }

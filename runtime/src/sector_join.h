@@ -41,7 +41,7 @@ struct SectorCrossing {
 /// replaced: no detections, or a crossing time from the other stream or in line with its neighbours. Gaps of up to
 /// eight turns are filled in this way. The sectors are the same for every order of arrival within the limit.
 ///
-/// A message whose running number does not fit its time is held back; when others of a second agree with it, the run
+/// A message whose running number does not fit its time is held back; when two others agree with it, the run
 /// goes on there, behind a gap. So one damaged message, or a detection and its mark together, does no harm. Stamps that
 /// are out of line must not come this far: see Intake.
 class SectorJoin {

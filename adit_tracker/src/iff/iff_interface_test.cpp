@@ -181,12 +181,12 @@ TEST_F(IffInterfaceTest, WhileTheRadarsAreSilentTheOldestIsDropped) {
 TEST_F(IffInterfaceTest, WhatStillComesOfTheOldRunIsDropped) {
   tellSite();
   play(0.0, 60.0);
-  node_.play(radars_, 0.0, 0.5);  // time has gone back
+  node_.play(radars_, 0.0, 1.5);  // time has gone back
   const auto late = count("late IFF plots");
   const int sectors = answersAlone(60.0, 80.0);
   EXPECT_EQ(count("messages of the old run"), static_cast<std::uint64_t>(sectors));
   node_.tracks.clear();
-  play(0.5, 50.0);  // it has gone back, too
+  play(1.5, 50.0);  // it has gone back, too
   EXPECT_EQ(bits(25.0, 50.0), four_of_eight_);
   node_.play(radars_, 50.0, 80.0);
   EXPECT_EQ(bits(60.0, 80.0), none_of_eight_);
