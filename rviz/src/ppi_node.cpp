@@ -6,6 +6,7 @@
 #include <tws_msgs/SsrPlots.h>
 #include <tws_msgs/Tracks.h>
 #include <tws_msgs/Truth.h>
+#include <tws_runtime/intake.h>
 #include <tws_runtime/parameters.h>
 
 #include <map>
@@ -22,6 +23,8 @@ namespace {
 
 // Data time that goes back by more than this begins a new run [s].
 constexpr double kNewRun = 1.0;
+// And so do stamps. A tracker that is overloaded lags behind by less.
+constexpr double kRestartLimit = 30.0;
 // Stamps further ahead of data time than this are refused [s].
 constexpr double kFuture = 10.0;
 
@@ -41,12 +44,12 @@ class PpiNode::Impl {
     for (std::size_t i = 0; i < params_.radars.size(); ++i) subscribeRadar(i);
     for (std::size_t i = 0; i < params_.trackers.size(); ++i) subscribeTracker(i);
     for (std::size_t i = 0; i < params_.correlators.size(); ++i)
-      bus.subscribe<tws_msgs::CorrelatedTracks>(params_.correlators[i].topic,
-                                                [this, i](const auto& tracks) { hearCorrelator(i, tracks); });
+      intake_.subscribe<tws_msgs::CorrelatedTracks>({params_.correlators[i].topic},
+                                                    [this, i](const auto& tracks) { hearCorrelator(i, tracks); });
     if (!params_.clutter_topic.empty())
-      bus.subscribe<tws_msgs::ClutterMap>(params_.clutter_topic, [this](const auto& map) { hearClutter(map); });
+      intake_.subscribe<tws_msgs::ClutterMap>({params_.clutter_topic}, [this](const auto& map) { hearClutter(map); });
     if (params_.truth)
-      bus.subscribe<tws_msgs::Truth>(params_.truth_topic, [this](const auto& truth) { hearTruth(truth); });
+      intake_.subscribe<tws_msgs::Truth>({params_.truth_topic}, [this](const auto& truth) { hearTruth(truth); });
     drawBackground();
     bus.everyWall(kBackgroundPeriod, [this] { drawBackground(); });
     bus.everyWall(1.0 / params_.redraw_rate, [this] { drawFast(); });
@@ -56,14 +59,16 @@ class PpiNode::Impl {
  private:
   void subscribeRadar(std::size_t radar) {
     const RadarParams& params = params_.radars[radar];
-    bus_.subscribe<tws_msgs::SectorMark>(params.sector_marks, [this, radar](const auto& m) { hearMark(radar, m); });
-    bus_.subscribe<tws_msgs::Detections>(params.detections, [this, radar](const auto& d) { hearDetections(radar, d); });
-    bus_.subscribe<tws_msgs::SsrPlots>(params.plots, [this, radar](const auto& p) { hearPlots(radar, p); });
+    intake_.subscribe<tws_msgs::SectorMark>({params.sector_marks},
+                                            [this, radar](const auto& m) { hearMark(radar, m); });
+    intake_.subscribe<tws_msgs::Detections>({params.detections},
+                                            [this, radar](const auto& d) { hearDetections(radar, d); });
+    intake_.subscribe<tws_msgs::SsrPlots>({params.plots}, [this, radar](const auto& p) { hearPlots(radar, p); });
   }
 
   void subscribeTracker(std::size_t tracker) {
-    bus_.subscribe<tws_msgs::Tracks>(params_.trackers[tracker].topic,
-                                     [this, tracker](const auto& tracks) { hearTracks(tracker, tracks); });
+    intake_.subscribe<tws_msgs::Tracks>({params_.trackers[tracker].topic},
+                                        [this, tracker](const auto& tracks) { hearTracks(tracker, tracks); });
   }
 
   void hearMark(std::size_t radar, const tws_msgs::SectorMark& mark) {
@@ -189,10 +194,14 @@ class PpiNode::Impl {
       bus_.counter("new runs")
           .add("data time went back from " + std::to_string(latest_.toSec()) + " to " + std::to_string(now.toSec()) +
                ": the picture is cleared");
-      picture_ = PpiPicture(params_);
-      missing_frames_.clear();
+      clear();
     }
     latest_ = now;
+  }
+
+  void clear() {
+    picture_ = PpiPicture(params_);
+    missing_frames_.clear();
   }
 
   void drawBackground() { background_screen_.show(picture_.background(), ros::Time()); }
@@ -214,6 +223,7 @@ class PpiNode::Impl {
   tws_runtime::Bus& bus_;
   const PpiParams params_;
   PpiPicture picture_;
+  tws_runtime::Intake intake_{bus_, kRestartLimit, [this](double) { clear(); }};
   ros::Time latest_;
   std::map<std::string, ros::Time> missing_frames_;  // and when they were first missed
 

@@ -57,6 +57,30 @@ TEST(PpiNode, CountsBadInputAndGoesOn) {
   EXPECT_EQ(count(graph, "refused sector marks"), 1u);
 }
 
+// If this fails, one stamp that was damaged on its way clears the picture, or hides a radar from then on.
+TEST(PpiNode, AStrayStampIsLeftOut) {
+  std::ostringstream log;
+  tws_runtime::LocalGraph graph(log);
+  PpiNode node(graph.addNode("ppi"));
+  auto tracks = graph.addNode("adit").advertise<tws_msgs::Tracks>("/adit/tracks");
+  tws_msgs::Tracks message;
+  message.header.frame_id = "map";
+  const auto say = [&](double time) {
+    message.header.stamp = ros::Time(time);
+    tracks.publish(message);
+    graph.drain();
+  };
+  for (const double stray : {86500.0, 0.0}) {
+    say(100.0);
+    say(stray);
+    say(100.1);
+  }
+  EXPECT_EQ(count(graph, "stray messages"), 2u);
+  EXPECT_EQ(count(graph, "new runs"), 0u);
+  for (double time = 1.0; time < 3.0; time += 0.1) say(time);
+  EXPECT_EQ(count(graph, "new runs"), 1u);
+}
+
 // At the start, detections overtake the transform of their site; that alone is no fault. Without one at all nothing can
 // be drawn, and the operator must be told why.
 TEST(PpiNode, AMissingTransformIsAFaultOnlyWhenItStaysAway) {

@@ -5,6 +5,7 @@
 #include <tws_msgs/Frame.h>
 #include <tws_msgs/Tracks.h>
 #include <tws_runtime/conversions.h>
+#include <tws_runtime/intake.h>
 #include <tws_runtime/parameters.h>
 #include <tws_runtime/sites.h>
 
@@ -25,6 +26,8 @@ using tws_runtime::toSeconds;
 constexpr const char* kFrame = "sine_space";
 // Data time that goes back by more than this begins a new run [s].
 constexpr double kNewRun = 1.0;
+// And so do stamps. A tracker that is overloaded lags behind by less.
+constexpr double kRestartLimit = 30.0;
 constexpr double kBackgroundPeriod = 2.0;  // RViz forgets all markers when it is reset [s of wall time].
 
 struct Params {
@@ -76,9 +79,12 @@ class SineSpaceNode::Impl {
  public:
   explicit Impl(tws_runtime::Bus& bus) : bus_(bus), params_(readParams(bus)), picture_(makePicture()) {
     const std::string& topic = params_.radar;
-    bus.subscribe<tws_msgs::DwellReports>(topic + "/dwell_reports", [this](const auto& message) { hear(message); });
-    bus.subscribe<tws_msgs::Frame>(topic + "/frames", [this](const auto& message) { hear(message); });
-    bus.subscribe<tws_msgs::Tracks>(topic + "/tracks", [this](const auto& message) { hear(message); });
+    intake_.subscribe<tws_msgs::DwellReports>({topic + "/dwell_reports", params_.radar},
+                                              [this](const auto& message) { hear(message); });
+    tws_runtime::IntakeTopic<tws_msgs::Frame> frames{topic + "/frames", params_.radar};
+    frames.stamp = [](const tws_msgs::Frame& message) { return message.through; };
+    intake_.subscribe<tws_msgs::Frame>(frames, [this](const auto& message) { hear(message); });
+    intake_.subscribe<tws_msgs::Tracks>({topic + "/tracks"}, [this](const auto& message) { hear(message); });
     drawBackground();
     bus.everyWall(kBackgroundPeriod, [this] { drawBackground(); });
     bus.everyWall(1.0 / params_.redraw_rate, [this] { draw(); });
@@ -89,6 +95,7 @@ class SineSpaceNode::Impl {
 
   void hear(const tws_msgs::DwellReports& message) {
     watchTime();
+    array_frame_ = message.header.frame_id;
     for (const tws_msgs::DwellReport& dwell : message.dwells) {
       if (isGood(dwell))
         picture_.hear(dwellMark(dwell));
@@ -128,20 +135,24 @@ class SineSpaceNode::Impl {
 
   std::optional<Eigen::Isometry3d> arrayFrom(const std::string& frame) const {
     std::string why;  // The transform comes with the radar's first messages.
-    return tws_runtime::findPose(bus_.transforms(), params_.radar, frame, why);
+    return tws_runtime::findPose(bus_.transforms(), array_frame_, frame, why);
   }
 
   void watchTime() {
     const ros::Time now = bus_.now();
     if (now + ros::Duration(kNewRun) < latest_) {
       bus_.counter("new runs").add("data time went back: the picture is cleared");
-      picture_ = makePicture();
-      tracks_.clear();
+      clear();
     }
     latest_ = now;
   }
 
   void drawBackground() { background_screen_.show(picture_.background(), ros::Time()); }
+
+  void clear() {
+    picture_ = makePicture();
+    tracks_.clear();
+  }
 
   void draw() {
     watchTime();
@@ -156,7 +167,9 @@ class SineSpaceNode::Impl {
   const Params params_;
   SineSpacePicture picture_;
   std::map<std::uint32_t, tws_msgs::Track> tracks_;  // the last word of each, by uid
+  std::string array_frame_ = params_.radar;
   ros::Time latest_;
+  tws_runtime::Intake intake_{bus_, kRestartLimit, [this](double) { clear(); }};
 
   // From the bottom to the top.
   Screen background_screen_{bus_, kFrame, "sine_space", "background", 0.0, true};
