@@ -161,8 +161,9 @@ TEST(GraphResolver, PlaysOnlyWhatIsHeardAsItIsRecorded) {
       .withRadar("", "sps12")
       .with("adit/tracks", tws_msgs::Tracks())
       .with("/other/tracks", tws_msgs::Tracks())
+      .with("/diagnostics", tws_msgs::Tracks())
       .close();
-  const GraphDescription graph = graphOf(folder.file("run.bag"), {}, true);
+  const GraphDescription graph = graphOf(folder.file("run.bag"), options({{"record", "r.bag"}}), true);
   const std::vector<std::string>& arguments = graph.find("player")->arguments;
   const auto topics = std::find(arguments.begin(), arguments.end(), "--topics");
   EXPECT_EQ(Names(topics + 1, arguments.end()), (Names{"sps12/detections", "sps12/sector_marks"}));
@@ -175,6 +176,7 @@ TEST(GraphResolver, MovesTheGraphIntoTheNamespaceOfItsBag) {
   EXPECT_EQ(graph.space, "/ship1");
   const std::vector<std::string>& recorded = graph.find("recorder")->arguments;
   EXPECT_EQ(std::count(recorded.begin(), recorded.end(), "/ship1/adit/tracks"), 1);
+  EXPECT_EQ(graph.find("player")->remaps.at("/ship1/clock"), "/clock");  // Else nobody there knows what time it is.
 }
 
 }  // namespace
