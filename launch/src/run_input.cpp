@@ -75,14 +75,14 @@ InputKind kindOf(const std::string& path) {
   return isRecording(path) ? InputKind::kRecording : InputKind::kScenario;
 }
 
-void refuseRate(const RunInput& input, const RunOptions& options) {
-  if (input.kind == InputKind::kBag && std::stod(options["rate"]) <= 0.0)
+void refuseRate(InputKind kind, const RunOptions& options) {
+  if (kind == InputKind::kBag && std::stod(options["rate"]) <= 0.0)
     throw UsageError("--rate: a bag is played at a rate above 0");
 }
 
-void refuseSeed(const RunInput& input, const RunOptions& options) {
-  if (input.kind == InputKind::kScenario || !options.has("seed")) return;
-  const std::string what = input.kind == InputKind::kBag ? "a bag" : "a recording";
+void refuseSeed(InputKind kind, const RunOptions& options) {
+  if (kind == InputKind::kScenario || !options.has("seed")) return;
+  const std::string what = kind == InputKind::kBag ? "a bag" : "a recording";
   throw UsageError("--seed is for scenarios; " + what + " has no random numbers");
 }
 
@@ -103,12 +103,16 @@ bool isRecording(const std::string& path) {
   return !isBag(path) && !endsWith(path, ".yaml") && !endsWith(path, ".yml");
 }
 
+void refuseOptions(const std::string& path, const RunOptions& options) {
+  refuseSeed(kindOf(path), options);
+  refuseRate(kindOf(path), options);
+}
+
 RunInput inspectInput(const std::string& path, const GraphFile& file, const RunOptions& options) {
   RunInput input;
   input.kind = kindOf(path);
   input.path = path.empty() ? path : std::filesystem::absolute(path).lexically_normal().string();
-  refuseSeed(input, options);
-  refuseRate(input, options);
+  refuseOptions(path, options);
   if (input.kind == InputKind::kScenario) readScenario(input, file, options);
   if (input.kind == InputKind::kBag) readBag(input, file, options["namespace"]);
   if (input.kind == InputKind::kRecording || input.kind == InputKind::kFeed) readAsterix(input, options);

@@ -35,6 +35,9 @@ bool isBag(const std::string& path);
 /// Whether a path is taken for an ASTERIX recording: it is no bag, and its name does not end in ".yaml" or ".yml".
 bool isRecording(const std::string& path);
 
+/// Refuses options that are not for such an input, before it is read. Throws UsageError.
+void refuseOptions(const std::string& path, const RunOptions& options);
+
 /// Reads what is in the input; an empty path: a live feed. Throws std::runtime_error, one line that names the file and,
 /// in a scenario, the line, when it cannot be read, is wrong, cannot be understood or has no radar to track; and
 /// UsageError for an option that is not for such an input.

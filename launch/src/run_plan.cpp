@@ -122,12 +122,28 @@ std::string planOffline(const CommandWords& words, const std::string& input, con
 
 }  // namespace
 
-std::string plannedRun(const std::string& command, const std::vector<std::string>& words, const std::string& root) {
+namespace {
+
+CommandWords readWords(const std::string& command, const std::vector<std::string>& words) {
   std::set<std::string> allowed = kRunOptions;
   if (command == "replay") allowed.erase("seed");
   if (command == "offline")
     for (const char* name : {"nodelets", "rate", "rviz", "picture_range", "show_windows"}) allowed.erase(name);
-  const CommandWords read = readCommandWords(words, allowed, {"out"}, 1);
+  return readCommandWords(words, allowed, {"out"}, 1);
+}
+
+}  // namespace
+
+void checkWords(const std::string& command, const std::vector<std::string>& words) {
+  const CommandWords read = readWords(command, words);
+  const std::string input = inputOf(command, read);
+  RunOptions options = read.options;
+  if (command != "offline") setUsualOptions(options);
+  refuseOptions(input, options);
+}
+
+std::string plannedRun(const std::string& command, const std::vector<std::string>& words, const std::string& root) {
+  const CommandWords read = readWords(command, words);
   const std::string input = inputOf(command, read);
   return command == "offline" ? planOffline(read, input, root) : planLive(read, input, root);
 }

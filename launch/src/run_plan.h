@@ -12,6 +12,9 @@ namespace tws_launch {
 /// UsageError, and std::runtime_error for an input that cannot be run.
 std::string plannedRun(const std::string& command, const std::vector<std::string>& words, const std::string& root);
 
+/// Refuses words of such a command that cannot be meant. Throws UsageError.
+void checkWords(const std::string& command, const std::vector<std::string>& words);
+
 /// Names of the scenarios of this package, sorted.
 std::vector<std::string> scenarioNames();
 

@@ -18,6 +18,7 @@ const char* const kHelp =
     "  tws_inspect INPUT [options]            its length, and the graph for it, as YAML\n"
     "  tws_inspect launch [INPUT] [options]   the same as a launch file for roslaunch; without input: a live feed\n"
     "  tws_inspect plan COMMAND WORDS...      for ./tws: what a command does, as assignments for the shell\n"
+    "  tws_inspect check COMMAND WORDS...     whether these words can be meant\n"
     "  tws_inspect scenarios                  names of the scenarios\n"
     "Options, also as roslaunch has them (rate:=5):\n";
 
@@ -59,6 +60,10 @@ int runWith(const std::vector<std::string>& words) {
   }
   if (first == "launch") return launch(rest);
   if (first == "plan" && !rest.empty()) return plan(rest);
+  if (first == "check" && !rest.empty()) {
+    checkWords(rest[0], {rest.begin() + 1, rest.end()});
+    return 0;
+  }
   return describe(words);
 }
 
