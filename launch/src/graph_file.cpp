@@ -87,6 +87,15 @@ GraphFile readGraphFile(const std::string& path) {
   return graph;
 }
 
+GraphFile readGraphFileWith(const std::string& more) {
+  GraphFile graph = readGraphFile();
+  if (more.empty()) return graph;
+  const GraphFile added = readGraphFile(more);
+  graph.sensors.insert(graph.sensors.end(), added.sensors.begin(), added.sensors.end());
+  graph.nodes.insert(graph.nodes.end(), added.nodes.begin(), added.nodes.end());
+  return graph;
+}
+
 std::string packageFolder(const std::string& package) {
   std::string folder = ros::package::getPath(package);
   if (folder.empty()) throw std::runtime_error("package " + package + " is not found: source setup.bash");

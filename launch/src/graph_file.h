@@ -45,6 +45,9 @@ struct GraphFile {
 
 /// Reads a file like graph.yaml; empty: that of this package. Throws tws_runtime::ParameterError.
 GraphFile readGraphFile(const std::string& path = "");
+/// That of this package with the nodes of another file of the same form besides, whose sensors may be left out; empty:
+/// none. Throws tws_runtime::ParameterError.
+GraphFile readGraphFileWith(const std::string& more);
 
 /// The folder of a ROS package. Throws std::runtime_error when it is not found.
 std::string packageFolder(const std::string& package);

@@ -75,6 +75,7 @@ const std::vector<RunOption>& runOptions() {
       {"clutter_map", Type::kFile, 0, 0,
        "clutter that the ADIT tracker knows from the start: a file; none: no clutter"},
       {"respawn", Type::kFlag, 0, 0, "start the ADIT tracker again when it dies; false: end the run"},
+      {"graph", Type::kFile, 0, 0, "further nodes: a file of rows like those of graph.yaml"},
       {"nodelets", Type::kFlag, 0, 0, "run the nodes as nodelets of one manager"},
       {"rviz", Type::kFlag, 0, 0, "show the PPI"},
       {"show_windows", Type::kFlag, 0, 0, "draw the window tracker's tracks, too, as triangles"},

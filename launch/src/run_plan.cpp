@@ -21,9 +21,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const std::set<std::string> kRunOptions{"clutter_map", "duration",      "namespace",   "nodelets",
-                                        "params",      "picture_range", "rate",        "rviz",
-                                        "seed",        "trackers",      "show_windows"};
+const std::set<std::string> kRunOptions{"clutter_map",   "duration", "graph", "namespace", "nodelets", "params",
+                                        "picture_range", "rate",     "rviz",  "seed",      "trackers", "show_windows"};
 
 std::string shellWord(const std::string& text) {
   std::string word = "'";
@@ -112,7 +111,7 @@ std::string planLive(const CommandWords& words, const std::string& input, const 
 }
 
 std::string planOffline(const CommandWords& words, const std::string& input, const std::string& root) {
-  const GraphFile file = readGraphFile();
+  const GraphFile file = readGraphFileWith(words.options["graph"]);
   resolveGraph(file, inspectInput(input, file, words.options), words.options, false);
   const std::string folder = madeFolder(words, root, input);
   std::string told = shellWord(input) + " --out " + shellWord(folder);
@@ -163,7 +162,7 @@ std::string inputFile(const std::string& name) {
 }
 
 std::string launchFileFor(const std::string& input, RunOptions options, const std::string& rviz_config) {
-  const GraphFile file = readGraphFile();
+  const GraphFile file = readGraphFileWith(options["graph"]);
   const RunInput read = inspectInput(input, file, options);
   if (!rviz_config.empty() && options.flag("rviz") && options.isSaid("picture_range") && !options.has("rviz_config")) {
     writeRvizConfig(rviz_config, std::stod(options["picture_range"]));

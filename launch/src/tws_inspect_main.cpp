@@ -25,7 +25,7 @@ const char* const kHelp =
 int describe(const std::vector<std::string>& words) {
   const CommandWords read = readCommandWords(words, {}, {}, 1);
   if (read.arguments.empty()) throw UsageError("which scenario, bag or recording?");
-  const GraphFile file = readGraphFile();
+  const GraphFile file = readGraphFileWith(read.options["graph"]);
   const RunInput input = inspectInput(inputFile(read.arguments[0]), file, read.options);
   std::cout << "length: " << input.length << "\n" << toYaml(resolveGraph(file, input, read.options, false));
   return 0;

@@ -1,0 +1,117 @@
+#!/usr/bin/env python3
+"""A user's own launch file (own_graph.test): nodelets and programs, under two namespaces, give the tracks of an offline run."""
+import io
+import pathlib
+import subprocess
+import tempfile
+import time
+import unittest
+from xml.etree import ElementTree
+
+import rosbag
+import rospy
+import rosunit
+from nodelet.srv import NodeletList, NodeletLoad, NodeletUnload
+from tws_msgs.msg import Tracks
+
+TRACKERS = ["/inside/adit", "/outside/adit", "/outside/second"]
+SCENARIO = pathlib.Path(__file__).parents[1] / "scenarios" / "one_aircraft.yaml"
+# What a class cannot be loaded without.
+NEEDED = {
+    "adit_tracker/adit_nodelet": {"radars": [{"name": "sps12"}]},
+    "asterix_bridge/asterix_file_nodelet": {"file": "$recording"},
+    "asterix_bridge/asterix_udp_nodelet": {"udp": "127.0.0.1:47917"},
+    "radar_sim/radar_sim_nodelet": {"scenario": str(SCENARIO), "live": {"wait_for": ["/nobody"]}},
+    "range_gate_tracker/window_tracker_nodelet": {"radar": "sps12"},
+}
+
+
+def printed(*command):
+    return subprocess.run(command, check=True, timeout=100, stdout=subprocess.PIPE, text=True).stdout.splitlines()
+
+
+def without_names(message):
+    """The bytes of all that does not tell where its tracker stands in the graph."""
+    message.header.seq, message.tracker = 0, ""
+    out = io.BytesIO()
+    message.serialize(out)
+    return out.getvalue()
+
+
+def offline():
+    with tempfile.TemporaryDirectory() as folder:
+        printed("rosrun", "tws_launch", "tws_offline", str(SCENARIO), "--out", folder)
+        return [without_names(message) for _, message, _ in rosbag.Bag(f"{folder}/run.bag").read_messages(["/adit/tracks"])]
+
+
+def classes():
+    """Of all packages of this repository: PACKAGE/NODElet."""
+    ours = printed("rospack", "depends-on1", "tws_runtime")
+    plugins = [line.split() for line in printed("rospack", "plugins", "--attrib=plugin", "nodelet")]
+    files = [file for package, file in plugins if package in ours]
+    return sorted(entry.get("name") for file in files for entry in ElementTree.parse(file).iter("class"))
+
+
+def north_message(seconds):
+    """ASTERIX CAT034 of the radar 8/9: its beam points north at this time of the day [s]; the radar's position."""
+    return bytes.fromhex("220013" "E110" "0809" "01") + (128 * seconds).to_bytes(3, "big") + bytes.fromhex("030C" "200000" "100000")
+
+
+def wait_for(condition, seconds=60.0):
+    end = time.monotonic() + seconds
+    while not condition() and time.monotonic() < end:
+        time.sleep(0.05)
+    return condition()
+
+
+class OwnGraphTest(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        rospy.init_node("own_graph_test")
+        cls.tracks = {tracker: [] for tracker in TRACKERS}
+        subscribers = [rospy.Subscriber(f"{tracker}/tracks", Tracks, lambda message, heard=tracks: heard.append(message))
+                       for tracker, tracks in cls.tracks.items()]
+        wait_for(lambda: all(subscriber.get_num_connections() > 0 for subscriber in subscribers))
+        for space in ("inside", "outside"):  # The simulators wait for these.
+            rospy.Subscriber(f"/{space}/sps12/detections", rospy.AnyMsg, lambda message: None)
+        cls.expected = offline()
+        wait_for(lambda: all(len(tracks) >= len(cls.expected) - 10 for tracks in cls.tracks.values()))
+
+    def check_same_as_offline(self, tracker):
+        length = min(len(self.tracks[tracker]), len(self.expected))
+        self.assertGreaterEqual(length, len(self.expected) - 10)
+        different = [i for i in range(length) if without_names(self.tracks[tracker][i]) != self.expected[i]]
+        self.assertFalse(different, f"{len(different)} of {length} messages differ, the first is number {different[:1]}")
+
+    def test_nodelets_give_the_tracks_of_an_offline_run(self):
+        self.check_same_as_offline("/inside/adit")
+
+    def test_programs_under_a_namespace_give_the_tracks_of_an_offline_run(self):
+        self.check_same_as_offline("/outside/adit")
+
+    def test_a_second_tracker_beside_the_first_has_tracks_of_its_own(self):
+        states = [track.state for message in self.tracks["/outside/second"] for track in message.tracks]
+        self.assertIn(2, states, "no firm track")
+        self.assertEqual({message.tracker for message in self.tracks["/outside/second"]}, {"outside/second"})
+
+    def test_a_wrong_parameter_keeps_only_its_own_nodelet_from_loading(self):
+        nodelets = rospy.ServiceProxy("/inside/manager/list", NodeletList)().nodelets
+        self.assertEqual(sorted(nodelets), ["/inside/adit", "/inside/ppi", "/inside/radar_sim"])
+
+    def test_every_class_can_be_loaded_and_unloaded(self):
+        load = rospy.ServiceProxy("/inside/manager/load_nodelet", NodeletLoad)
+        unload = rospy.ServiceProxy("/inside/manager/unload_nodelet", NodeletUnload)
+        with tempfile.NamedTemporaryFile() as recording:
+            recording.write(b"".join(north_message(36000 + 4 * turn) for turn in range(4)))
+            recording.flush()
+            self.assertGreaterEqual(len(classes()), 14)
+            for number, name in enumerate(classes()):
+                for key, value in NEEDED.get(name, {}).items():
+                    rospy.set_param(f"/loaded{number}/{key}", recording.name if value == "$recording" else value)
+                with self.subTest(name):
+                    self.assertTrue(load(name=f"/loaded{number}", type=name).success)
+                    self.assertTrue(unload(name=f"/loaded{number}").success)
+
+
+if __name__ == "__main__":
+    rosunit.unitrun("tws_launch", "own_graph_test", OwnGraphTest)
