@@ -56,12 +56,13 @@ class OperatorInterfaceTest : public testing::Test {
 // If this fails, a request that comes while the tracker catches up for another one overtakes it, and the recording says
 // so: what an operator asked first was done last.
 TEST_F(OperatorInterfaceTest, RequestsAreExecutedInTheOrderInWhichTheyCameAlsoWhenOneComesDuringAnother) {
-  tws_msgs::DropTrack::Response inner;
-  meanwhile_ = [&] { inner = drop({numbers_[1]}); };
+  tws_msgs::OperatorRequest inner = operators_.blank(tws_msgs::OperatorRequest::DROP);
+  inner.track = numbers_[1];
+  meanwhile_ = [&] { inner = operators_.ask(inner).message; };
   const auto outer = drop({numbers_[0]});
   graph_.drain();
   EXPECT_TRUE(outer.success) << outer.message;
-  EXPECT_TRUE(inner.success) << inner.message;
+  EXPECT_EQ(inner.result, tws_msgs::OperatorRequest::OK) << inner.message;
   ASSERT_EQ(said_.size(), 2U);
   EXPECT_EQ(said_[0].track, numbers_[0]);
   EXPECT_EQ(said_[1].track, numbers_[1]);
