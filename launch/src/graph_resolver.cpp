@@ -199,6 +199,7 @@ class Resolver {
     words.holds = [this, name = node.name](const std::string& word) { return is(word, name); };
     words.valueOf = [this, name = node.name, parameters = node.parameters](const std::string& word) {
       if (word == "name") return YAML::Node(name);
+      if (word == "origin") return input_.origin;
       const auto dot = word.find('.');
       const std::string rest = dot == std::string::npos ? "" : word.substr(dot + 1);
       const std::string group = word.substr(0, dot);

@@ -2,6 +2,7 @@
 
 #include <asterix_bridge/asterix_node.h>
 #include <radar_sim/radar_sim_node.h>
+#include <tws_core/units.h>
 #include <tws_runtime/local_graph.h>
 
 #include <algorithm>
@@ -45,6 +46,9 @@ void readScenario(RunInput& input, const GraphFile& file, const RunOptions& opti
   const radar_sim::RadarSimNode simulator(graph.addNode("radar_sim", parameters));
   for (const SensorKind& kind : file.sensors) input.sensors[kind.name] = kind.ordered(namesOf(kind, simulator));
   input.length = simulator.duration();
+  input.origin["latitude_deg"] = tws::degrees(simulator.origin().latitude);
+  input.origin["longitude_deg"] = tws::degrees(simulator.origin().longitude);
+  input.origin["altitude_m"] = simulator.origin().altitude;
   input.trackers = readTrackerChoices(simulator.trackers(), std::filesystem::path(input.path).parent_path(),
                                       input.path + ": trackers");
 }

@@ -23,6 +23,7 @@ struct RunInput {
   std::map<std::string, std::string> topics;  ///< Of a bag: absolute name, and as it is recorded.
   TrackerChoices trackers;                    ///< What a scenario says of them, or what a bag's topics tell.
   std::optional<GraphDescription> recorded;   ///< The graph that a bag was recorded with.
+  YAML::Node origin;                          ///< Of a scenario's map frame, as nodes take it; undefined: unknown.
   double length = 0.0;                        ///< Data time from start to end [s]; 0: unknown.
 
   /// Names of a kind's sensors; empty: none.

@@ -63,6 +63,8 @@ bool RadarSimNode::isReady() const { return simulation_->isReady(); }
 
 void RadarSimNode::stopWaiting() { simulation_->stopWaiting(); }
 
+const tws::Geodetic& RadarSimNode::origin() const { return scenario_->origin; }
+
 double RadarSimNode::duration() const { return scenario_->duration; }
 
 YAML::Node RadarSimNode::trackers() const { return scenario_->trackers; }

@@ -6,6 +6,7 @@
 #include <tws_msgs/CorrelatedTracks.h>
 #include <tws_msgs/Detections.h>
 #include <tws_msgs/DwellReports.h>
+#include <tws_msgs/GraphDescription.h>
 #include <tws_msgs/SsrPlots.h>
 #include <tws_msgs/Tracks.h>
 #include <tws_msgs/Truth.h>
@@ -53,6 +54,18 @@ std::string truthIn(const rosbag::Bag& bag, const std::string& space) {
   return topics.size() == 1 ? *topics.begin() : "";
 }
 
+/// As the graph that the run consisted of had it for its own evaluation.
+YAML::Node originIn(const rosbag::Bag& bag) {
+  rosbag::View view(bag, rosbag::TypeQuery(ros::message_traits::datatype<tws_msgs::GraphDescription>()));
+  for (const rosbag::MessageInstance& message : view) {
+    const auto graph = message.instantiate<tws_msgs::GraphDescription>();
+    if (!graph) continue;
+    for (const YAML::Node& node : YAML::Load(graph->yaml)["nodes"])
+      if (node["type"].as<std::string>() == "evaluation_node") return node["parameters"]["origin"];
+  }
+  return YAML::Node();
+}
+
 BagContents inspect(const std::string& path) {
   const rosbag::Bag bag(path);
   rosbag::View all(bag);
@@ -69,6 +82,7 @@ BagContents inspect(const std::string& path) {
   for (auto* names : lists)
     for (std::string& name : *names) name.erase(0, contents.space.size() + 1);
   contents.truth = truthIn(bag, contents.space);
+  contents.origin.reset(originIn(bag));
   const auto connections = all.getConnections();
   contents.transforms = std::any_of(connections.begin(), connections.end(),
                                     [](const auto* connection) { return absolute(connection->topic) == "/tf_static"; });
@@ -102,6 +116,8 @@ BagContents inspectBag(const std::string& path) {
     contents = inspect(path);
   } catch (const rosbag::BagException& error) {
     throw std::runtime_error(path + ": is missing, truncated or no bag: " + error.what());
+  } catch (const YAML::Exception& error) {
+    throw std::runtime_error(path + ": its graph description cannot be read: " + error.what());
   }
   if (contents.trackers.empty()) throw std::runtime_error(path + ": holds no tracks (tws_msgs/Tracks on NAME/tracks)");
   return contents;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <yaml-cpp/yaml.h>
+
 #include <map>
 #include <string>
 #include <vector>
@@ -12,6 +14,7 @@ struct BagContents {
   std::vector<std::string> trackers, correlators, radars, secondary_radars, array_radars;  ///< Sorted.
   std::string truth;                                                                       ///< Its topic; empty: none.
   bool transforms = false;
+  YAML::Node origin;  ///< Of the map frame, as the evaluation takes it: the recorded graph says it; null: unknown.
 
   std::vector<std::string> topics() const;  ///< All of them, and /tf_static when it is there; absolute.
   /// The truth where the evaluation looks for it.

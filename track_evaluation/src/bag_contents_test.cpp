@@ -29,7 +29,7 @@ BagContents contentsOf(const std::string& tracks, const std::string& detections,
 // If one of these fails, a bag from elsewhere is scored under odd names, or not at all.
 
 TEST(BagContents, ReadsTopicsWithAndWithoutALeadingSlash) {
-  for (const std::string& slash : {"/", ""}) {
+  for (const std::string slash : {"/", ""}) {
     const BagContents contents = contentsOf(slash + "adit/tracks", slash + "sps12/detections", slash + "truth");
     EXPECT_EQ(contents.space, "");
     EXPECT_EQ(contents.trackers, (Names{"adit"}));

@@ -42,6 +42,7 @@ YAML::Node parametersFor(const Options& options, const BagContents& contents) {
   found["radars"] = contents.radars;
   found["secondary_radars"] = contents.secondary_radars;
   found["array_radars"] = contents.array_radars;
+  if (contents.origin.IsDefined() && contents.origin.IsMap()) found["origin"] = contents.origin;
   const YAML::Node files =
       tws_runtime::mergeParameters(tws_runtime::loadParameterFile(config), tws_runtime::loadParameterFile(limits));
   return tws_runtime::mergeParameters(files, found);

@@ -238,7 +238,7 @@ TEST(EvaluationNode, HasTheDefaultsOfTheShippedFileButForTheMonitors) {
   tws_runtime::LocalGraph graph(log);
   const auto departures =
       tws_runtime::departuresFromDefaults([&] { EvaluationNode node(graph.addNode("evaluation", shipped)); });
-  ASSERT_EQ(departures.size(), 1U);
+  ASSERT_EQ(departures.size(), 1U) << testing::PrintToString(departures);
   EXPECT_EQ(departures[0].substr(0, 13), "monitor_codes");
 }
 

@@ -15,8 +15,8 @@ using tws_runtime::ParameterReader;
 std::vector<std::uint8_t> readKinds(ParameterReader& reader, const std::string& key,
                                     const std::vector<std::uint8_t>& usual) {
   static const std::vector<std::string> kNames{"aircraft", "ship", "clutter", "slow_mover"};  // as in TruthTarget
-  if (!reader.has(key)) return usual;
   std::vector<std::string> words;
+  for (const std::uint8_t kind : usual) words.push_back(kNames.at(kind));
   reader.texts(key, words);
   std::vector<std::uint8_t> kinds;
   for (const std::string& word : words) {

@@ -74,7 +74,7 @@ class EvaluateBag(unittest.TestCase):
         self.bag("no_truth.bag", truth=False)
         self.bag("foreign.bag", tracks=ForeignTracks)
         for name, word in [("truncated", "truncated"), ("text", "no bag"), ("empty", "is empty"), ("other", "holds no tracks"),
-                           ("no_truth", "neither /truth nor"), ("foreign", "0123456789abcdef"), ("missing", "is missing")]:
+                           ("no_truth", "neither truth nor"), ("foreign", "0123456789abcdef"), ("missing", "is missing")]:
             with self.subTest(name):
                 done = evaluate(self.folder / f"{name}.bag")
                 self.assertEqual(done.returncode, 1, done.stdout + done.stderr)

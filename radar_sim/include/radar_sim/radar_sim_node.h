@@ -6,6 +6,7 @@
 
 #include <radar_sim/sensor_topics.h>
 #include <ros/time.h>
+#include <tws_core/geodesy.h>
 #include <tws_runtime/bus.h>
 #include <tws_runtime/source.h>
 #include <yaml-cpp/yaml.h>
@@ -36,6 +37,8 @@ class RadarSimNode : public tws_runtime::Source {
   const std::vector<SensorTopics>& sensors() const { return topics_; }
   /// Data time from start to end [s].
   double duration() const;
+  /// Where the map frame lies [rad, m above the sea].
+  const tws::Geodetic& origin() const;
   /// What the scenario says of the trackers that it is meant for: the map under its key `trackers` as it stands there,
   /// tracker name → parameters, unchecked. Empty when the key is absent.
   YAML::Node trackers() const;
