@@ -27,16 +27,16 @@ struct FrameTrack {
 };
 
 /// What became of a track in a frame.
-struct TrackWord {
+struct TrackUpdate {
   FrameTrack track;
   FrameCase seen = FrameCase::kSeen;
-  bool dropped = false;  // its last word
+  bool dropped = false;  // its final update
 };
 
 /// What a frame tracker says.
 struct TrackReport {
-  std::vector<TrackWord> words;    // tracks seen, missed or dropped since the last report, each once
-  std::vector<FrameTrack> living;  // all tracks, each at its own time
+  std::vector<TrackUpdate> updates;  // tracks seen, missed or dropped since the last report, each once
+  std::vector<FrameTrack> living;    // all tracks, each at its own time
 };
 
 /// The seam between frames and tracks. A multi-frame tracker gets a window of proper frames and decides when it will:

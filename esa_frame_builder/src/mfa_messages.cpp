@@ -9,25 +9,25 @@
 namespace esa_frame_builder {
 namespace {
 
-std::uint8_t stateOf(const TrackWord& word) {
+std::uint8_t stateOf(const TrackUpdate& update) {
   using tws_msgs::Track;
-  if (word.dropped) return Track::DROPPED;
-  if (word.track.stage == TrackStage::kTentative) return Track::TENTATIVE;
-  return word.seen == FrameCase::kMissed ? Track::COASTING : Track::FIRM;
+  if (update.dropped) return Track::DROPPED;
+  if (update.track.stage == TrackStage::kTentative) return Track::TENTATIVE;
+  return update.seen == FrameCase::kMissed ? Track::COASTING : Track::FIRM;
 }
 
 }  // namespace
 
-tws_msgs::Track trackMessage(const TrackWord& word, const Eigen::Vector3d& array, const tws::SeaLevel& sea,
+tws_msgs::Track trackMessage(const TrackUpdate& update, const Eigen::Vector3d& array, const tws::SeaLevel& sea,
                              const std::string& radar) {
   using tws_msgs::Track;
-  Track message = tws_runtime::blankTrack(word.track.number, word.track.number);
-  message.state = stateOf(word);
-  message.stamp = tws_runtime::toTime(word.track.time);
-  message.first_detection = tws_runtime::toTime(word.track.first_detection);
-  message.last_update = tws_runtime::toTime(word.track.last_update);
-  tws_runtime::setSpatial(message, word.track.state, array, sea);
-  message.detection_bits = word.seen == FrameCase::kSeen ? Track::DETECTED_BY_RADAR_0 : 0;
+  Track message = tws_runtime::blankTrack(update.track.number, update.track.number);
+  message.state = stateOf(update);
+  message.stamp = tws_runtime::toTime(update.track.time);
+  message.first_detection = tws_runtime::toTime(update.track.first_detection);
+  message.last_update = tws_runtime::toTime(update.track.last_update);
+  tws_runtime::setSpatial(message, update.track.state, array, sea);
+  message.detection_bits = update.seen == FrameCase::kSeen ? Track::DETECTED_BY_RADAR_0 : 0;
   message.radars = {radar};
   message.radar_updates = {message.last_update};
   return message;

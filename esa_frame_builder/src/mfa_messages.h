@@ -10,7 +10,7 @@
 namespace esa_frame_builder {
 
 /// `array`: where it stands in the frame of positions [m].
-tws_msgs::Track trackMessage(const TrackWord& word, const Eigen::Vector3d& array, const tws::SeaLevel& sea,
+tws_msgs::Track trackMessage(const TrackUpdate& update, const Eigen::Vector3d& array, const tws::SeaLevel& sea,
                              const std::string& radar);
 
 /// The track moved on to `time` [s].

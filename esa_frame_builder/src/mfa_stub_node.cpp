@@ -105,9 +105,9 @@ class MfaStubNode::Impl {
 
   void publishTracks(const tws_msgs::Frame& heartbeat, const TrackReport& report) {
     tws_msgs::Tracks message = tracks_.message(heartbeat.through, params_.radar);
-    for (const TrackWord& word : report.words) {
-      message.tracks.push_back(trackMessage(word, pose_.place, params_.sea, params_.radar));
-      if (word.dropped) bus_.counter("dropped tracks").add();
+    for (const TrackUpdate& update : report.updates) {
+      message.tracks.push_back(trackMessage(update, pose_.place, params_.sea, params_.radar));
+      if (update.dropped) bus_.counter("dropped tracks").add();
     }
     tracks_.publish(message);
   }

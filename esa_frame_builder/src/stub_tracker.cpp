@@ -17,13 +17,13 @@ double logLikelihood(const tws::SpatialInnovation& innovation) {
   return -0.5 * (innovation.nis + std::log(innovation.covariance.determinant()) + 3.0 * std::log(tws::kTwoPi));
 }
 
-// Of several words about a track only the last.
-std::vector<TrackWord> lastWords(const std::vector<TrackWord>& words) {
-  std::map<std::uint32_t, TrackWord> last;
-  for (const TrackWord& word : words) last[word.track.number] = word;
-  std::vector<TrackWord> result;
+// Of several updates about a track only the last.
+std::vector<TrackUpdate> finalUpdates(const std::vector<TrackUpdate>& updates) {
+  std::map<std::uint32_t, TrackUpdate> last;
+  for (const TrackUpdate& update : updates) last[update.track.number] = update;
+  std::vector<TrackUpdate> result;
   result.reserve(last.size());
-  for (const auto& [number, word] : last) result.push_back(word);
+  for (const auto& [number, update] : last) result.push_back(update);
   return result;
 }
 
@@ -32,7 +32,7 @@ std::vector<TrackWord> lastWords(const std::vector<TrackWord>& words) {
 void StubTracker::take(const FrameWindow& window) {
   const Frame& frame = window.closed().front();
   const Scene scene = sceneOf(tracks_, frame);
-  const std::vector<bool> used = update(tracks_, scene, words_);
+  const std::vector<bool> used = update(tracks_, scene, updates_);
   judge(frame);
   initiate(scene.plots, used);
 }
@@ -40,9 +40,9 @@ void StubTracker::take(const FrameWindow& window) {
 TrackReport StubTracker::report(const FrameWindow& window) {
   TrackReport report;
   std::vector<Kept> tracks = tracks_;
-  for (const Frame& frame : window.open()) update(tracks, sceneOf(tracks, frame), words_);
-  report.words = lastWords(words_);
-  words_.clear();
+  for (const Frame& frame : window.open()) update(tracks, sceneOf(tracks, frame), updates_);
+  report.updates = finalUpdates(updates_);
+  updates_.clear();
   for (const Kept& kept : tracks) report.living.push_back(kept.track);
   return report;
 }
@@ -83,21 +83,22 @@ StubTracker::Reading StubTracker::readingOf(const Scene& scene, std::size_t trac
   return logLikelihood(merged.innovation) > logLikelihood(own.innovation) ? merged : own;
 }
 
-std::vector<bool> StubTracker::update(std::vector<Kept>& tracks, const Scene& scene, std::vector<TrackWord>& words) {
+std::vector<bool> StubTracker::update(std::vector<Kept>& tracks, const Scene& scene,
+                                      std::vector<TrackUpdate>& updates) {
   const std::vector<Taken> taken = take(scene, associate(scene));
   std::vector<bool> used(scene.plots.size(), false);
   for (std::size_t i = 0; i < tracks.size(); ++i) {
-    TrackWord word;
+    TrackUpdate update;
     if (taken[i].plot) {
       used[*taken[i].plot] = true;
       see(tracks[i], scene.views[i], scene.plots[*taken[i].plot], taken[i]);
-      word.track = tracks[i].track;
+      update.track = tracks[i].track;
     } else if (scene.views[i].detection_probability >= params_.least_detection_probability) {
-      miss(tracks[i], scene.views[i], word);
+      miss(tracks[i], scene.views[i], update);
     } else {
       continue;  // Out of view: neither said nor scored.
     }
-    words.push_back(word);
+    updates.push_back(update);
   }
   return used;
 }
@@ -165,13 +166,13 @@ void StubTracker::see(Kept& kept, const FrameView& view, const Plot& plot, const
   if (taken.reading.echo.members.empty()) track.snr += (plot.snr - track.snr) / std::min(kept.hits, 10);
 }
 
-// The word shows the track where it should have been seen; the track itself stays at its last update.
-void StubTracker::miss(Kept& kept, const FrameView& view, TrackWord& word) const {
+// The update shows the track where it should have been seen; the track itself stays at its last update.
+void StubTracker::miss(Kept& kept, const FrameView& view, TrackUpdate& update) const {
   kept.track.score += std::log(1.0 - std::min(view.detection_probability, kSurest));
-  word.track = kept.track;
-  word.seen = FrameCase::kMissed;
-  tws::predict(word.track.state, view.time - kept.track.time, params_.acceleration_density);
-  word.track.time = view.time;
+  update.track = kept.track;
+  update.seen = FrameCase::kMissed;
+  tws::predict(update.track.state, view.time - kept.track.time, params_.acceleration_density);
+  update.track.time = view.time;
 }
 
 void StubTracker::judge(const Frame& frame) {
@@ -180,7 +181,7 @@ void StubTracker::judge(const Frame& frame) {
     ++kept.frames;
     if (kept.hits >= params_.initiation_hits) kept.track.stage = TrackStage::kFirm;
     if (!isLost(kept, now)) continue;
-    words_.push_back({kept.track, FrameCase::kMissed, true});
+    updates_.push_back({kept.track, FrameCase::kMissed, true});
     kept.frames = -1;
   }
   tracks_.erase(std::remove_if(tracks_.begin(), tracks_.end(), [](const Kept& kept) { return kept.frames < 0; }),
@@ -201,7 +202,7 @@ void StubTracker::initiate(const std::vector<Plot>& plots, const std::vector<boo
     kept.track.time = kept.track.first_detection = kept.track.last_update = plots[i].time;
     kept.track.state = tws::startState(plots[i].place, params_.speed_sigma);
     kept.track.snr = plots[i].snr;
-    words_.push_back({kept.track, FrameCase::kSeen, false});
+    updates_.push_back({kept.track, FrameCase::kSeen, false});
     tracks_.push_back(std::move(kept));
   }
 }

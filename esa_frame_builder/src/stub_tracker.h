@@ -63,9 +63,9 @@ class StubTracker : public FrameTracker {
   std::vector<Taken> take(const Scene& scene, const std::vector<int>& plot_of) const;
   void share(const Scene& scene, std::size_t giver, std::vector<Taken>& taken) const;
   /// Updates and scores the tracks; for each plot whether it was used.
-  std::vector<bool> update(std::vector<Kept>& tracks, const Scene& scene, std::vector<TrackWord>& words);
+  std::vector<bool> update(std::vector<Kept>& tracks, const Scene& scene, std::vector<TrackUpdate>& updates);
   void see(Kept& kept, const FrameView& view, const Plot& plot, const Taken& taken) const;
-  void miss(Kept& kept, const FrameView& view, TrackWord& word) const;
+  void miss(Kept& kept, const FrameView& view, TrackUpdate& update) const;
   void initiate(const std::vector<Plot>& plots, const std::vector<bool>& used);
   void judge(const Frame& frame);
   bool isLost(const Kept& kept, double time) const;
@@ -74,7 +74,7 @@ class StubTracker : public FrameTracker {
   ArrayPose pose_;
   std::vector<Kept> tracks_;  // by number
   std::uint32_t last_number_ = 0;
-  std::vector<TrackWord> words_;  // since the last report
+  std::vector<TrackUpdate> updates_;  // since the last report
   tws::AssignmentSolver solver_;
   std::vector<tws::AssignmentSolver::Pair> pairs_;
 };

@@ -63,8 +63,8 @@ TEST_F(StubTrackerTest, InitiationCountsFramesEvenThoseThatLookElsewhere) {
   for (int n = 2; n < params_.initiation_frames; ++n) close({lookElsewhere(0.1 * n)});
   const TrackReport last = report();
   EXPECT_TRUE(last.living.empty());
-  ASSERT_EQ(last.words.size(), 1U);
-  EXPECT_TRUE(last.words[0].dropped);
+  ASSERT_EQ(last.updates.size(), 1U);
+  EXPECT_TRUE(last.updates[0].dropped);
 }
 
 TEST_F(StubTrackerTest, ScoresTheThreeCases) {
@@ -72,13 +72,13 @@ TEST_F(StubTrackerTest, ScoresTheThreeCases) {
   const double seen = report().living[0].score;
   EXPECT_GT(seen, 0.0);
   close({lookElsewhere(0.6)});
-  EXPECT_TRUE(report().words.empty()) << "out of view: nothing to say";
+  EXPECT_TRUE(report().updates.empty()) << "out of view: nothing to say";
   EXPECT_EQ(report().living[0].score, seen);
   close({look(0.7, {})});
   TrackReport missed = report();
-  ASSERT_EQ(missed.words.size(), 1U);
-  EXPECT_EQ(missed.words[0].seen, FrameCase::kMissed);
-  EXPECT_DOUBLE_EQ(missed.words[0].track.time, 0.7) << "said where it should have been seen";
+  ASSERT_EQ(missed.updates.size(), 1U);
+  EXPECT_EQ(missed.updates[0].seen, FrameCase::kMissed);
+  EXPECT_DOUBLE_EQ(missed.updates[0].track.time, 0.7) << "said where it should have been seen";
   // By hand: a mean SNR of 100 in the beam's centre, P_d = 1e-6^(1/101) = 0.872; a miss is ln(1 - P_d).
   EXPECT_NEAR(missed.living[0].score - seen, std::log(1.0 - 0.872), 0.03);
 }
@@ -90,7 +90,7 @@ TEST_F(StubTrackerTest, IsDroppedOnceAfterMissesAndNeverAfterLooksElsewhere) {
   int drops = 0;
   for (int n = 0; n < 20; ++n) {
     close({look(6.1 + 0.01 * n, {})});
-    for (const TrackWord& word : report().words) drops += word.dropped ? 1 : 0;
+    for (const TrackUpdate& update : report().updates) drops += update.dropped ? 1 : 0;
   }
   EXPECT_EQ(drops, 1);
   EXPECT_TRUE(report().living.empty());
@@ -146,7 +146,7 @@ TEST_F(StubTrackerTest, AnEarlyLookShowsTheOpenFrameAndCommitsToNothing) {
   const TrackReport before = report();
   window_.look(frameOf({look(0.5, {50e3, 70e3})}));
   const TrackReport early = report();
-  ASSERT_EQ(early.words.size(), 1U) << "no track starts from an open frame";
+  ASSERT_EQ(early.updates.size(), 1U) << "no track starts from an open frame";
   EXPECT_DOUBLE_EQ(early.living[0].time, 0.5);
   window_.clearOpen();
   EXPECT_DOUBLE_EQ(report().living[0].time, 0.4);

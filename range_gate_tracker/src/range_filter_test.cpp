@@ -46,7 +46,7 @@ TEST(DampedRange, ForgetsByTimeNotByTheNumberOfProfiles) {
   EXPECT_NEAR(fine.range(), coarse.range(), 1e-9);
 }
 
-// One mad measurement must not take the gate off a target that cannot be so fast.
+// One stray measurement must not take the gate off a target that cannot be so fast.
 TEST(DampedRange, NeverMovesFasterThanTheVelocityLimit) {
   RangeGateParams limited = params();
   limited.velocity_limit = 200.0;

@@ -107,33 +107,33 @@ class RangeGateTrackerNode::Impl {
   }
 
   void update(const tws_msgs::RangeProfile& message, const GateReport& report) {
-    std::vector<tws_msgs::Track> words;
+    std::vector<tws_msgs::Track> updates;
     const bool has_target = report.lock != Lock::kSearching;
     const bool is_news = has_target != target_.has_value();
     if (has_target) {
-      words.push_back(*(target_ = wordOf(report, message.azimuth)));
+      updates.push_back(*(target_ = updateOf(report, message.azimuth)));
     } else if (target_) {
-      words.push_back(*target_);
-      words.back().state = tws_msgs::Track::DROPPED;
+      updates.push_back(*target_);
+      updates.back().state = tws_msgs::Track::DROPPED;
       target_.reset();
     }
-    if (is_news || report.time >= next_tracks_) publish(message, std::move(words));
+    if (is_news || report.time >= next_tracks_) publish(message, std::move(updates));
   }
 
-  tws_msgs::Track wordOf(const GateReport& report, double azimuth) {
-    tws_msgs::Track word = toTrack(report, azimuth, target_ ? target_->uid : ++uid_);
-    word.first_detection = target_ ? target_->first_detection : word.stamp;
-    word.last_update = report.lock == Lock::kLocked ? word.stamp : target_->last_update;
-    word.radars = {params_.radar};
-    word.radar_updates = {word.last_update};
-    return word;
+  tws_msgs::Track updateOf(const GateReport& report, double azimuth) {
+    tws_msgs::Track update = toTrack(report, azimuth, target_ ? target_->uid : ++uid_);
+    update.first_detection = target_ ? target_->first_detection : update.stamp;
+    update.last_update = report.lock == Lock::kLocked ? update.stamp : target_->last_update;
+    update.radars = {params_.radar};
+    update.radar_updates = {update.last_update};
+    return update;
   }
 
   /// Tracks wait until the radar's site is known; without one their places stay unknown.
-  void publish(const tws_msgs::RangeProfile& message, std::vector<tws_msgs::Track> words) {
+  void publish(const tws_msgs::RangeProfile& message, std::vector<tws_msgs::Track> updates) {
     next_tracks_ = tws_runtime::toSeconds(message.header.stamp) + params_.track_period;
     tws_msgs::Tracks out = tracks_.message(message.header.stamp, "");
-    out.tracks = std::move(words);
+    out.tracks = std::move(updates);
     site_.add(message.header.frame_id, std::move(out), [this](tws_msgs::Tracks& ready) {
       constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
       const tws_runtime::Site site = site_.site().value_or(tws_runtime::Site{kUnknown, kUnknown, kUnknown, kUnknown});

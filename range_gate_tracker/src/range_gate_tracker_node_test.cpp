@@ -24,7 +24,7 @@ class RangeGateTrackerNodeTest : public testing::Test {
     tws_runtime::Bus& bus = graph_.addNode("radar");
     profiles_ = bus.advertise<tws_msgs::RangeProfile>("/mrs/range_profile");
     bus.subscribe<tws_msgs::RangeGate>("/mrs/range_gate", [this](const auto& message) { gates_.push_back(message); });
-    bus.subscribe<tws_msgs::Tracks>("/mrs/tracks", [this](const auto& message) { words_.push_back(message); });
+    bus.subscribe<tws_msgs::Tracks>("/mrs/tracks", [this](const auto& message) { updates_.push_back(message); });
   }
 
   void start(const std::string& parameters = "{}") {
@@ -74,7 +74,7 @@ class RangeGateTrackerNodeTest : public testing::Test {
   tws_runtime::Publisher<tws_msgs::RangeProfile> profiles_;
   std::uint32_t number_ = 0;
   std::vector<tws_msgs::RangeGate> gates_;
-  std::vector<tws_msgs::Tracks> words_;
+  std::vector<tws_msgs::Tracks> updates_;
   std::unique_ptr<RangeGateTrackerNode> node_;
 };
 
@@ -101,11 +101,11 @@ TEST_F(RangeGateTrackerNodeTest, SaysTheTargetAsATrackAtItsPlaceInTheMap) {
   start();
   placeRadar();
   sendMany(100.0, 102.0);
-  ASSERT_GE(words_.size(), 9U);
-  EXPECT_LE(words_.size(), 11U);  // every 0.2 s
-  const tws_msgs::Tracks& last = words_.back();
+  ASSERT_GE(updates_.size(), 9U);
+  EXPECT_LE(updates_.size(), 11U);  // every 0.2 s
+  const tws_msgs::Tracks& last = updates_.back();
   EXPECT_EQ(last.tracker, "range_gate_tracker");
-  EXPECT_EQ(last.sequence, words_.size() - 1);
+  EXPECT_EQ(last.sequence, updates_.size() - 1);
   ASSERT_EQ(last.tracks.size(), 1U);
   const tws_msgs::Track& track = last.tracks[0];
   EXPECT_EQ(track.state, tws_msgs::Track::FIRM);
@@ -122,24 +122,24 @@ TEST_F(RangeGateTrackerNodeTest, EndsALostTrackWithOneLastWordAndGivesTheNextOne
   sendMany(101.0, 103.0, 0.0F);
   sendMany(103.0, 104.0);
   int dropped = 0;
-  for (const tws_msgs::Tracks& message : words_)
+  for (const tws_msgs::Tracks& message : updates_)
     for (const tws_msgs::Track& track : message.tracks) dropped += track.state == tws_msgs::Track::DROPPED;
   EXPECT_EQ(dropped, 1);
   EXPECT_EQ(count("lost targets"), 1U);
-  ASSERT_FALSE(words_.back().tracks.empty());
-  EXPECT_EQ(words_.back().tracks[0].uid, 2U);
+  ASSERT_FALSE(updates_.back().tracks.empty());
+  EXPECT_EQ(updates_.back().tracks[0].uid, 2U);
 }
 
 TEST_F(RangeGateTrackerNodeTest, HoldsTracksBackUntilTheSiteIsKnown) {
   start();
   sendMany(100.0, 101.0);
-  EXPECT_TRUE(words_.empty());
+  EXPECT_TRUE(updates_.empty());
   EXPECT_EQ(gates_.size(), 50U);  // the radar cannot wait
   placeRadar();
   sendMany(101.0, 102.0);
-  EXPECT_GE(words_.size(), 9U);
-  EXPECT_EQ(words_.front().sequence, 0U);
-  for (const tws_msgs::Track& track : words_[1].tracks) EXPECT_FALSE(std::isnan(track.position.x));
+  EXPECT_GE(updates_.size(), 9U);
+  EXPECT_EQ(updates_.front().sequence, 0U);
+  for (const tws_msgs::Track& track : updates_[1].tracks) EXPECT_FALSE(std::isnan(track.position.x));
 }
 
 // The radar waits for its answer and must not be moved by a bad profile.
@@ -203,7 +203,7 @@ TEST_F(RangeGateTrackerNodeTest, OneStrayStampDoesNotLoseTheTarget) {
   EXPECT_EQ(count("new runs"), 0U);
   EXPECT_EQ(count("lost targets"), 0U);
   EXPECT_EQ(gates_.size(), 250U);
-  EXPECT_EQ(words_.back().tracks.back().uid, 1U);
+  EXPECT_EQ(updates_.back().tracks.back().uid, 1U);
 }
 
 TEST_F(RangeGateTrackerNodeTest, AnAllZeroProfileReusesThePreviousRange) {
@@ -246,7 +246,7 @@ TEST_F(RangeGateTrackerNodeTest, AnswersARadarUnderARemappedTopicByItsOwnName) {
   }
   ASSERT_EQ(gates_.size(), 50U);
   EXPECT_EQ(gates_.back().radar, "myradar");
-  EXPECT_EQ(words_.back().tracks.back().radars, std::vector<std::string>{"mrs"});
+  EXPECT_EQ(updates_.back().tracks.back().radars, std::vector<std::string>{"mrs"});
 }
 
 TEST_F(RangeGateTrackerNodeTest, HasTheDefaultsOfTheFileForAircraft) {

@@ -8,10 +8,10 @@
 namespace range_gate_tracker {
 namespace {
 
-std::uint8_t stateOf(const WindowTracker& tracker, const WindowWord& word) {
-  if (word.event == WindowEvent::kDropped) return tws_msgs::Track::DROPPED;
-  if (!tracker.believed(*word.file)) return tws_msgs::Track::TENTATIVE;
-  return word.file->misses > 0 ? tws_msgs::Track::COASTING : tws_msgs::Track::FIRM;
+std::uint8_t stateOf(const WindowTracker& tracker, const WindowUpdate& update) {
+  if (update.event == WindowEvent::kDropped) return tws_msgs::Track::DROPPED;
+  if (!tracker.isConfirmed(*update.file)) return tws_msgs::Track::TENTATIVE;
+  return update.file->misses > 0 ? tws_msgs::Track::COASTING : tws_msgs::Track::FIRM;
 }
 
 /// The time for which a track is told: of its latest detection, or when it was last looked for.
@@ -29,12 +29,12 @@ Eigen::Vector2d toFrame(const Eigen::Vector2d& place, const tws_runtime::Site& s
   return Eigen::Rotation2Dd(site.turn) * place + Eigen::Vector2d(site.x, site.y);
 }
 
-tws_msgs::Track trackMessage(const WindowTracker& tracker, const WindowWord& word, const tws_runtime::Site& site,
+tws_msgs::Track trackMessage(const WindowTracker& tracker, const WindowUpdate& update, const tws_runtime::Site& site,
                              const std::string& radar) {
-  const TrackFile& track = *word.file;
+  const TrackFile& track = *update.file;
   const WindowKinematics k = tracker.at(track, timeOf(track));
   tws_msgs::Track message = tws_runtime::blankTrack(track.number, track.uid);
-  message.state = stateOf(tracker, word);
+  message.state = stateOf(tracker, update);
   message.stamp = tws_runtime::toTime(k.time);
   message.first_detection = tws_runtime::toTime(track.first_time);
   message.last_update = tws_runtime::toTime(track.last_update);
@@ -48,14 +48,14 @@ tws_msgs::Track trackMessage(const WindowTracker& tracker, const WindowWord& wor
   return message;
 }
 
-tws_msgs::TrackWindow windowMessage(const WindowWord& word) {
-  const TrackFile& track = *word.file;
+tws_msgs::TrackWindow windowMessage(const WindowUpdate& update) {
+  const TrackFile& track = *update.file;
   const TrackWindow& window = track.window;
   tws_msgs::TrackWindow message;
   message.number = track.number;
   message.uid = track.uid;
   const std::uint8_t kind = window.tracking ? tws_msgs::TrackWindow::TRACKING : tws_msgs::TrackWindow::ACQUISITION;
-  message.kind = word.event == WindowEvent::kDropped ? std::uint8_t{tws_msgs::TrackWindow::NONE} : kind;
+  message.kind = update.event == WindowEvent::kDropped ? std::uint8_t{tws_msgs::TrackWindow::NONE} : kind;
   message.designated = track.designated;
   message.type = static_cast<std::uint8_t>(track.type);
   message.priority = static_cast<std::uint8_t>(track.priority);

@@ -84,8 +84,8 @@ std::vector<WindowTracker::Echo*> WindowTracker::echoesIn(const TrackFile& track
   return inside;
 }
 
-/// Tracking windows come before acquisition windows, and those of believed tracks before others.
-int WindowTracker::rankOf(const TrackFile& track) const { return believed(track) ? 2 : int{track.window.tracking}; }
+/// Tracking windows come before acquisition windows, and those of isConfirmed tracks before others.
+int WindowTracker::rankOf(const TrackFile& track) const { return isConfirmed(track) ? 2 : int{track.window.tracking}; }
 
 bool WindowTracker::isClaimed(const Echo& echo, const TrackFile& by) const {
   const int rank = rankOf(by);
@@ -231,7 +231,7 @@ void WindowTracker::cancelAll() {
   while (!tracks_.empty()) cancel(tracks_.begin()->first);
 }
 
-bool WindowTracker::believed(const TrackFile& track) const {
+bool WindowTracker::isConfirmed(const TrackFile& track) const {
   return track.hits >= params_.firm_hits && (track.designated || track.type >= TargetType::kSurface);
 }
 
@@ -248,7 +248,7 @@ WindowKinematics WindowTracker::at(const TrackFile& track, double time) const {
 void WindowTracker::cancelLost() {
   std::vector<std::uint32_t> lost;
   for (const auto& [number, track] : tracks_) {
-    if (track.misses >= (believed(track) ? params_.missed_scans : params_.acquisition_scans)) lost.push_back(number);
+    if (track.misses >= (isConfirmed(track) ? params_.missed_scans : params_.acquisition_scans)) lost.push_back(number);
   }
   for (const std::uint32_t number : lost) cancel(number);
 }
@@ -256,10 +256,10 @@ void WindowTracker::cancelLost() {
 void WindowTracker::report(const tws::RadarSector& sector) {
   cancelLost();
   WindowReport report{sector.running, sector.enter_time, {}};
-  for (const TrackFile& track : dropped_) report.words.push_back({&track, WindowEvent::kDropped});
+  for (const TrackFile& track : dropped_) report.updates.push_back({&track, WindowEvent::kDropped});
   for (const auto& [number, event] : news_) {
     const auto found = tracks_.find(number);
-    if (found != tracks_.end()) report.words.push_back({&found->second, event});
+    if (found != tracks_.end()) report.updates.push_back({&found->second, event});
   }
   on_report_(report);
   dropped_.clear();

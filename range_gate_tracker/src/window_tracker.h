@@ -40,7 +40,7 @@ struct TrackFile {
 enum class WindowEvent { kStarted, kUpdated, kMissed, kDropped };
 
 /// What the tracker says of a track. `file` holds good during the call only.
-struct WindowWord {
+struct WindowUpdate {
   const TrackFile* file;
   WindowEvent event;
 };
@@ -49,7 +49,7 @@ struct WindowWord {
 struct WindowReport {
   std::int64_t running = 0;  ///< The sector's running number.
   double enter_time = 0.0;   ///< The beam entered it [s].
-  std::vector<WindowWord> words;
+  std::vector<WindowUpdate> updates;
 };
 
 struct WindowCounts {
@@ -80,8 +80,8 @@ class WindowTracker {
 
   /// By number.
   const std::map<std::uint32_t, TrackFile>& tracks() const { return tracks_; }
-  /// A target is believed to be there, and not merely looked for.
-  bool believed(const TrackFile& track) const;
+  /// A target is isConfirmed to be there, and not merely looked for.
+  bool isConfirmed(const TrackFile& track) const;
   /// At a time [s]; of a track that was never detected: its marker, at rest.
   WindowKinematics at(const TrackFile& track, double time) const;
   const WindowCounts& counts() const { return counts_; }

@@ -119,9 +119,9 @@ class WindowTrackerNode::Impl {
     windows.tracker = message.tracker;
     windows.radar = message.radar;
     windows.running_sector = message.running_sector;
-    for (const WindowWord& word : report.words) {
-      message.tracks.push_back(trackMessage(*tracker_, word, site_, params_.radar));
-      windows.windows.push_back(windowMessage(word));
+    for (const WindowUpdate& update : report.updates) {
+      message.tracks.push_back(trackMessage(*tracker_, update, site_, params_.radar));
+      windows.windows.push_back(windowMessage(update));
     }
     tracks_.publish(message);
     windows_.publish(windows);

@@ -123,7 +123,7 @@ class Scene {
   std::vector<tws_msgs::Tracks> tracks;
   std::vector<tws_msgs::TrackWindows> windows;
   std::vector<tws_msgs::OperatorRequest> asked;
-  std::map<std::uint32_t, tws_msgs::Track> last;  // word of each track
+  std::map<std::uint32_t, tws_msgs::Track> last;  // update of each track
 
  private:
   void placeRadar() {

@@ -23,7 +23,8 @@ struct Station {
   explicit Station(const WindowParams& params = {})
       : tracker(params, [this](const WindowReport& report) {
           ++reports;
-          for (const WindowWord& word : report.words) said.push_back({report.running, word.event, *word.file});
+          for (const WindowUpdate& update : report.updates)
+            said.push_back({report.running, update.event, *update.file});
         }) {}
 
   void run(const std::vector<tws::RadarSector>& sectors, std::size_t from = 0, std::size_t to = 1u << 30) {
@@ -49,7 +50,7 @@ TEST(WindowTracker, StartsATrackByItselfAndMakesItFirm) {
   EXPECT_EQ(station.count(WindowEvent::kStarted), 1);
   EXPECT_EQ(station.count(WindowEvent::kDropped), 0);
   EXPECT_EQ(track.hits, 10);
-  EXPECT_TRUE(station.tracker.believed(track));
+  EXPECT_TRUE(station.tracker.isConfirmed(track));
   EXPECT_EQ(track.type, TargetType::kAircraft);
   EXPECT_EQ(station.reports, 640U);
   const WindowKinematics now = station.tracker.at(track, 60.0);
@@ -108,7 +109,7 @@ TEST(WindowTracker, DoesNotBelieveInWhatStandsStill) {
   const TrackFile& track = station.tracker.tracks().begin()->second;
   EXPECT_EQ(track.type, TargetType::kStationary);
   EXPECT_EQ(track.priority, 4);
-  EXPECT_FALSE(station.tracker.believed(track));
+  EXPECT_FALSE(station.tracker.isConfirmed(track));
 }
 
 // Manual detection: nothing happens until the operator sets the marker; 700 m beside the target is good enough.
@@ -126,7 +127,7 @@ TEST(WindowTracker, TracksOnlyWhatTheOperatorDesignatesWhenItIsNotAutomatic) {
   ASSERT_EQ(station.tracker.tracks().size(), 1U);
   const TrackFile& track = station.tracker.tracks().at(*number);
   EXPECT_TRUE(track.designated);
-  EXPECT_TRUE(station.tracker.believed(track));
+  EXPECT_TRUE(station.tracker.isConfirmed(track));
   EXPECT_NEAR((station.tracker.at(track, 120.0).position - kAircraft(120.0)).norm(), 0.0, 5.0);
 }
 

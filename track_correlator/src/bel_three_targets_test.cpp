@@ -47,9 +47,9 @@ Counts miscorrelations(Scheme scheme, std::uint64_t seed) {
       }
     }
     c.turn();
-    for (const CorrelatedWord& word : c.lastTurn())
-      if (word.correlated && !word.ended && scan >= 10 && scan <= 20)
-        wrong[word.primary] += word.primary != word.secondary;
+    for (const CorrelatedUpdate& update : c.lastTurn())
+      if (update.correlated && !update.ended && scan >= 10 && scan <= 20)
+        wrong[update.primary] += update.primary != update.secondary;
   }
   return wrong;
 }

@@ -18,16 +18,16 @@ void check(bool good, const char* rule) {
   if (!good) throw std::invalid_argument(std::string("correlator: ") + rule);
 }
 
-CorrelatedWord wordOf(const FusionRow& row, std::uint32_t identity) {
-  CorrelatedWord word;
-  word.identity = identity;
-  word.primary = row.primary;
-  word.secondary = row.secondary;
-  word.correlated = true;
-  word.coasting = row.primary_lost || row.secondary_lost;
-  word.scan_count = row.last / tws::kSectors;
-  word.fusion_count = row.fusion_count;
-  return word;
+CorrelatedUpdate updateOf(const FusionRow& row, std::uint32_t identity) {
+  CorrelatedUpdate update;
+  update.identity = identity;
+  update.primary = row.primary;
+  update.secondary = row.secondary;
+  update.correlated = true;
+  update.coasting = row.primary_lost || row.secondary_lost;
+  update.scan_count = row.last / tws::kSectors;
+  update.fusion_count = row.fusion_count;
+  return update;
 }
 
 }  // namespace
@@ -77,16 +77,16 @@ void Correlator::loseSecondary(std::uint32_t uid) {
   if (table_.loseSecondary(uid)) end(identity, partner, uid);
 }
 
-/// An identity that nobody has heard of needs no last word.
+/// An identity that nobody has heard of needs no final update.
 void Correlator::end(std::uint32_t identity, std::uint32_t primary, std::uint32_t secondary) {
   if (identity == 0) return;
-  CorrelatedWord word;
-  word.identity = identity;
-  word.primary = primary;
-  word.secondary = secondary;
-  word.correlated = primary != kNoTrack && secondary != kNoTrack;
-  word.ended = true;
-  ended_.push_back(word);
+  CorrelatedUpdate update;
+  update.identity = identity;
+  update.primary = primary;
+  update.secondary = secondary;
+  update.correlated = primary != kNoTrack && secondary != kNoTrack;
+  update.ended = true;
+  ended_.push_back(update);
 }
 
 /// Δ₂ sectors behind the beam.
@@ -242,8 +242,8 @@ void Correlator::forgetHistory(std::int64_t running) {
 bool Correlator::holds(bool primary, std::uint32_t uid) const {
   const KnownTracks& tracks = primary ? primaries_ : secondaries_;
   const FusionRow* row = primary ? table_.ofPrimary(uid) : table_.ofSecondary(uid);
-  return tracks.contains(uid) || row != nullptr || std::any_of(ended_.begin(), ended_.end(), [&](const auto& word) {
-           return (primary ? word.primary : word.secondary) == uid;
+  return tracks.contains(uid) || row != nullptr || std::any_of(ended_.begin(), ended_.end(), [&](const auto& update) {
+           return (primary ? update.primary : update.secondary) == uid;
          });
 }
 
@@ -261,20 +261,20 @@ void Correlator::report(const Mark& mark) {
     const FusionRow* row = table_.ofPrimary(uid);
     const std::uint32_t identity = identityOf(*track);
     if (row != nullptr && !row->secondary_lost) secondaries_.at(row->secondary).identity = identity;
-    CorrelatedWord alone;
+    CorrelatedUpdate alone;
     alone.identity = identity;
     alone.primary = uid;
-    report.words.push_back(row == nullptr ? alone : wordOf(*row, identity));
+    report.updates.push_back(row == nullptr ? alone : updateOf(*row, identity));
   }
   for (const auto& [uid, track] : near_secondaries_) {
     if (!track->isDue(mark.running)) continue;
     track->done = mark.running;
     const FusionRow* row = table_.ofSecondary(uid);
     if (row != nullptr && !row->primary_lost) continue;  // The primary speaks for both.
-    CorrelatedWord alone;
+    CorrelatedUpdate alone;
     alone.identity = identityOf(*track);
     alone.secondary = uid;
-    report.words.push_back(row == nullptr ? alone : wordOf(*row, track->identity));
+    report.updates.push_back(row == nullptr ? alone : updateOf(*row, track->identity));
   }
   on_report_(report);
 }

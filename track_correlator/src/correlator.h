@@ -28,12 +28,12 @@ struct CorrelatorParams {
 constexpr std::uint32_t kNoTrack = std::numeric_limits<std::uint32_t>::max();
 
 /// One aircraft of the correlated picture.
-struct CorrelatedWord {
+struct CorrelatedUpdate {
   std::uint32_t identity = 0;  ///< From 1; stays while the aircraft is seen by either radar.
   std::uint32_t primary = kNoTrack, secondary = kNoTrack;  ///< Uids.
   bool correlated = false;                                 ///< Else it is one of the two alone.
   bool coasting = false;                                   ///< Correlated, but one of the two is lost at present.
-  bool ended = false;                                      ///< The last word of this identity.
+  bool ended = false;                                      ///< The final update of this identity.
   std::int64_t scan_count = 0;                             ///< n_sc
   int fusion_count = 0;                                    ///< n_fc
 };
@@ -42,11 +42,11 @@ struct CorrelatedWord {
 struct CorrelatorReport {
   std::int64_t running = 0;  ///< Of the clock,
   double time = 0.0;         ///< and when its beam entered it [s]: the instant of the correlation.
-  std::vector<CorrelatedWord> words;
+  std::vector<CorrelatedUpdate> updates;
 };
 
 struct CorrelatorCounts {
-  std::uint64_t silent_tracks = 0;  ///< Lost without a last word.
+  std::uint64_t silent_tracks = 0;  ///< Lost without a final update.
   std::uint64_t initiated = 0, taken_over = 0, released = 0, cleared = 0;
   std::uint64_t clusters = 0;  ///< Solved by the optimal assignment.
   std::uint64_t lost_marks = 0, stray_marks = 0;
@@ -66,7 +66,7 @@ class Correlator {
   /// The beam of the clocking radar enters a sector: the one Δ₂ behind it is processed. Missing marks are filled in.
   void addMark(std::int64_t running, double time);
 
-  /// Whether a later report may still name this track: it lives, a row remembers it, or its last word is due.
+  /// Whether a later report may still name this track: it lives, a row remembers it, or its final update is due.
   bool holds(bool primary, std::uint32_t uid) const;
   const CorrelatorCounts& counts() const { return counts_; }
 
@@ -97,7 +97,7 @@ class Correlator {
   FusionTable table_;
   Association association_;
   MarkClock clock_;
-  std::vector<CorrelatedWord> ended_;
+  std::vector<CorrelatedUpdate> ended_;
   std::uint32_t last_identity_ = 0;
   CorrelatorCounts counts_;
 };

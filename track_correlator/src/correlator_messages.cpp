@@ -74,23 +74,23 @@ TrackInput toInput(const Track& track, double position_sigma, double velocity_si
   return input;
 }
 
-CorrelatedTrack toMessage(const CorrelatedWord& word, const Track* primary, const Track* secondary, double time) {
+CorrelatedTrack toMessage(const CorrelatedUpdate& update, const Track* primary, const Track* secondary, double time) {
   CorrelatedTrack message;
-  message.identity = word.identity;
-  message.kind = word.correlated              ? CorrelatedTrack::CORRELATED
-                 : word.secondary == kNoTrack ? CorrelatedTrack::PRIMARY_ONLY
-                                              : CorrelatedTrack::SECONDARY_ONLY;
+  message.identity = update.identity;
+  message.kind = update.correlated              ? CorrelatedTrack::CORRELATED
+                 : update.secondary == kNoTrack ? CorrelatedTrack::PRIMARY_ONLY
+                                                : CorrelatedTrack::SECONDARY_ONLY;
   message.primary = primary != nullptr ? primary->number : CorrelatedTrack::NONE;
   message.secondary = secondary != nullptr ? secondary->number : CorrelatedTrack::NONE;
-  message.scan_count = static_cast<std::uint32_t>(std::max<std::int64_t>(0, word.scan_count));
-  message.fusion_count = static_cast<std::uint32_t>(word.fusion_count);
+  message.scan_count = static_cast<std::uint32_t>(std::max<std::int64_t>(0, update.scan_count));
+  message.fusion_count = static_cast<std::uint32_t>(update.fusion_count);
   const bool primary_leads = primary != nullptr && (primary->state != Track::DROPPED || secondary == nullptr);
   if (primary_leads || secondary != nullptr) message.track = primary_leads ? *primary : *secondary;
   bringTo(time, message.track);
   if (primary_leads && secondary != nullptr) takeIdentity(*secondary, message.track);
-  if (word.coasting) message.track.state = Track::COASTING;
-  if (word.ended) message.track.state = Track::DROPPED;
-  message.track.number = message.track.uid = word.identity;
+  if (update.coasting) message.track.state = Track::COASTING;
+  if (update.ended) message.track.state = Track::DROPPED;
+  message.track.number = message.track.uid = update.identity;
   return message;
 }
 

@@ -16,9 +16,9 @@ std::string faultOf(const tws_msgs::Track& track);
 /// position [m] and velocity [m/s].
 TrackInput toInput(const tws_msgs::Track& track, double position_sigma, double velocity_sigma);
 
-/// What the correlator says, with the latest words of the two tracks (null: there is none), brought to `time` [s]: the
-/// primary's kinematics, the secondary's codes and height.
-tws_msgs::CorrelatedTrack toMessage(const CorrelatedWord& word, const tws_msgs::Track* primary,
+/// What the correlator says, with the latest updates of the two tracks (null: there is none), brought to `time` [s]:
+/// the primary's kinematics, the secondary's codes and height.
+tws_msgs::CorrelatedTrack toMessage(const CorrelatedUpdate& update, const tws_msgs::Track* primary,
                                     const tws_msgs::Track* secondary, double time);
 
 }  // namespace track_correlator

@@ -22,7 +22,7 @@ void tell(CorrelatorListener& c, std::uint32_t primary, std::uint32_t secondary,
   if (secondary != kNoTrack) c.correlator.addSecondary(trackInput(secondary, t, x + 40.0, y - 30.0, 98.0, 3.0));
 }
 
-TrackInput lastWord(std::uint32_t uid) {
+TrackInput finalUpdate(std::uint32_t uid) {
   TrackInput track;
   track.uid = uid;
   track.dropped = true;
@@ -36,7 +36,7 @@ std::string storyOf(CorrelatorListener& c, int turns, const std::function<void(i
     before(turn);
     c.turn();
     bool p = false, s = false, pair = false, coasting = false;
-    for (const CorrelatedWord& w : c.lastTurn()) {
+    for (const CorrelatedUpdate& w : c.lastTurn()) {
       if (w.ended) {
         story += 'e';
       } else {
@@ -62,7 +62,7 @@ TEST(Correlator, MakesOneOfTwoInTheThirdScanAndEndsTheYoungerIdentity) {
   CorrelatorListener c;
   EXPECT_EQ(storyOf(c, 5, [&](int) { tell(c, kP, kS); }), "BBeCCC");
   std::set<std::uint32_t> identities;
-  for (const auto& word : c.lastTurn()) identities.insert(word.identity);
+  for (const auto& update : c.lastTurn()) identities.insert(update.identity);
   EXPECT_EQ(identities, (std::set<std::uint32_t>{1}));
   EXPECT_EQ(c.lastTurn().size(), 1U);
   EXPECT_EQ(c.lastTurn()[0].fusion_count, 5);
@@ -93,7 +93,7 @@ TEST(Correlator, TellsTracksApartByVelocity) {
 TEST(Correlator, NeedsSevenScansForANewSecondaryInThePlainScheme) {
   CorrelatorListener c(with(Scheme::kPlain));
   const std::string story = storyOf(c, 20, [&](int turn) {
-    if (turn == 10) c.correlator.addSecondary(lastWord(kS));
+    if (turn == 10) c.correlator.addSecondary(finalUpdate(kS));
     tell(c, kP, turn < 10 ? kS : kNewS);
   });
   EXPECT_EQ(story,
@@ -103,11 +103,11 @@ TEST(Correlator, NeedsSevenScansForANewSecondaryInThePlainScheme) {
 TEST(Correlator, NeedsThreeScansForANewSecondaryWithTheParallelCounter) {
   CorrelatorListener c;
   const std::string story = storyOf(c, 16, [&](int turn) {
-    if (turn == 10) c.correlator.addSecondary(lastWord(kS));
+    if (turn == 10) c.correlator.addSecondary(finalUpdate(kS));
     tell(c, kP, turn < 10 ? kS : kNewS);
   });
   EXPECT_EQ(story, "BBeCCCCCCCCcceCCCC");
-  for (const auto& word : c.lastTurn()) EXPECT_EQ(word.identity, 1U);
+  for (const auto& update : c.lastTurn()) EXPECT_EQ(update.identity, 1U);
 }
 
 // If this fails, the label jumps when one of the radars loses the aircraft.
@@ -116,8 +116,8 @@ TEST(Correlator, KeepsTheIdentityWhileEitherRadarSeesTheAircraft) {
     CorrelatorListener c;
     const auto story = storyOf(c, 34, [&](int turn) {
       const bool p = primary_first ? turn < 10 || turn >= 20 : turn < 20, s = primary_first ? turn < 20 : turn < 10;
-      if (turn == 10 && primary_first) c.correlator.addPrimary(lastWord(kP));
-      if (turn == 10 && !primary_first) c.correlator.addSecondary(lastWord(kS));
+      if (turn == 10 && primary_first) c.correlator.addPrimary(finalUpdate(kP));
+      if (turn == 10 && !primary_first) c.correlator.addSecondary(finalUpdate(kS));
       tell(c,
            p || turn >= 20 ? (turn < 20       ? kP
                               : primary_first ? kP + 1
@@ -129,8 +129,8 @@ TEST(Correlator, KeepsTheIdentityWhileEitherRadarSeesTheAircraft) {
                            : kNoTrack);
     });
     std::set<std::uint32_t> correlated;
-    for (const auto& word : c.words())
-      if (word.correlated && !word.ended) correlated.insert(word.identity);
+    for (const auto& update : c.updates())
+      if (update.correlated && !update.ended) correlated.insert(update.identity);
     EXPECT_EQ(correlated, (std::set<std::uint32_t>{1})) << story;
     EXPECT_EQ(story.substr(0, 15), std::string("BBeCCCCCCCC") + "cccc");
     EXPECT_EQ(story[15], primary_first ? 'S' : 'P');
@@ -143,8 +143,8 @@ TEST(Correlator, SaysALastWordWhenBothAreGone) {
   EXPECT_EQ(storyOf(c, 8,
                     [&](int turn) {
                       if (turn < 5) tell(c, kP, kS);
-                      if (turn == 5) c.correlator.addPrimary(lastWord(kP));
-                      if (turn == 6) c.correlator.addSecondary(lastWord(kS));
+                      if (turn == 5) c.correlator.addPrimary(finalUpdate(kP));
+                      if (turn == 6) c.correlator.addSecondary(finalUpdate(kS));
                     }),
             "BBeCCCce--");
 }
@@ -165,8 +165,8 @@ TEST(Correlator, HoldsThePairsOfTheTableWhereOthersAreNearer) {
       c.turn();
     }
     std::map<std::uint32_t, std::uint32_t> partner;
-    for (const auto& word : c.lastTurn())
-      if (word.correlated && !word.ended) partner[word.primary] = word.secondary;
+    for (const auto& update : c.lastTurn())
+      if (update.correlated && !update.ended) partner[update.primary] = update.secondary;
     const bool history = scheme != Scheme::kDistance;
     EXPECT_EQ(partner[1], history ? 11U : 12U);
     EXPECT_EQ(partner[2], history ? 12U : 11U);
@@ -219,9 +219,9 @@ TEST(Correlator, GivesASecondaryToOnePrimaryAScanAcrossBorders) {
     c.correlator.addSecondary(trackInput(9, t, xs, ys, 0.0, 0.0));
     c.turn();
   }
-  for (const auto& word : c.lastTurn()) {
-    if (word.ended) continue;
-    EXPECT_EQ(word.secondary, word.primary == 2 ? 9U : kNoTrack);
+  for (const auto& update : c.lastTurn()) {
+    if (update.ended) continue;
+    EXPECT_EQ(update.secondary, update.primary == 2 ? 9U : kNoTrack);
   }
 }
 
@@ -235,7 +235,7 @@ TEST(Correlator, SaysEveryTrackOnceATurnTheFixedDelayBehindTheClock) {
   ASSERT_EQ(c.reports.size(), 3U * 64 - 2);
   for (std::size_t i = 0; i < c.reports.size(); ++i) EXPECT_EQ(c.reports[i].running, static_cast<std::int64_t>(i));
   std::map<std::pair<std::uint32_t, std::uint32_t>, int> said;
-  for (const auto& word : c.words()) ++said[{word.primary, word.secondary}];
+  for (const auto& update : c.updates()) ++said[{update.primary, update.secondary}];
   EXPECT_EQ((said[{kP + 1, kNoTrack}]), 3);
 }
 
@@ -276,7 +276,7 @@ TEST(Correlator, SaysTheSameInWhateverOrderTheTracksOfATurnAreTold) {
     tracks.emplace_back(true, trackInput(i, 0.0, x, y, vx, vy, 150.0, 30.0));
     tracks.emplace_back(false, trackInput(500 - i, 0.0, x + tws::uniform(generator, -300.0, 300.0), y, vx, vy, 150.0));
   }
-  std::vector<std::vector<CorrelatedWord>> said;
+  std::vector<std::vector<CorrelatedUpdate>> said;
   for (int run = 0; run < 2; ++run) {
     CorrelatorListener c;
     for (int turn = 0; turn < 12; ++turn) {
@@ -291,7 +291,7 @@ TEST(Correlator, SaysTheSameInWhateverOrderTheTracksOfATurnAreTold) {
     }
     EXPECT_GT(c.correlator.counts().clusters, 0U);
     EXPECT_GT(c.correlator.counts().initiated, 50U);
-    said.push_back(c.words());
+    said.push_back(c.updates());
   }
   ASSERT_EQ(said[0].size(), said[1].size());
   for (std::size_t i = 0; i < said[0].size(); ++i) {

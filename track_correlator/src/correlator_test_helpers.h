@@ -29,18 +29,18 @@ struct CorrelatorListener {
     for (int i = 0; i < tws::kSectors; ++i, ++next_mark) correlator.addMark(next_mark, now());
   }
 
-  /// The words that the last turn said.
-  std::vector<CorrelatedWord> lastTurn() const {
-    std::vector<CorrelatedWord> words;
+  /// The updates that the last turn said.
+  std::vector<CorrelatedUpdate> lastTurn() const {
+    std::vector<CorrelatedUpdate> updates;
     const std::size_t first = reports.size() - std::min<std::size_t>(reports.size(), tws::kSectors);
     for (std::size_t i = first; i < reports.size(); ++i)
-      words.insert(words.end(), reports[i].words.begin(), reports[i].words.end());
-    return words;
+      updates.insert(updates.end(), reports[i].updates.begin(), reports[i].updates.end());
+    return updates;
   }
-  std::vector<CorrelatedWord> words() const {
-    std::vector<CorrelatedWord> words;
-    for (const auto& report : reports) words.insert(words.end(), report.words.begin(), report.words.end());
-    return words;
+  std::vector<CorrelatedUpdate> updates() const {
+    std::vector<CorrelatedUpdate> updates;
+    for (const auto& report : reports) updates.insert(updates.end(), report.updates.begin(), report.updates.end());
+    return updates;
   }
 };
 

@@ -17,7 +17,7 @@ struct TrackInput {
   double time = 0.0;                                ///< Position and velocity hold at this instant [s].
   Eigen::Vector4d state = Eigen::Vector4d::Zero();  ///< x, y [m], vx, vy [m/s]; the plane of slant range and azimuth.
   Eigen::Matrix4d covariance = Eigen::Matrix4d::Identity();
-  bool dropped = false;  ///< The track's last word.
+  bool dropped = false;  ///< The track's final update.
 };
 
 /// A track and what the correlator keeps of it.
@@ -51,7 +51,7 @@ class KnownTracks {
   /// All count as processed in this sector last: the radar counts anew.
   void restart(std::int64_t running);
 
-  /// Uids of the tracks whose latest word is older than `timeout` [s].
+  /// Uids of the tracks whose latest update is older than `timeout` [s].
   std::vector<std::uint32_t> silentAt(double time, double timeout);
 
   using Near = std::vector<std::pair<std::uint32_t, KnownTrack*>>;
@@ -62,7 +62,7 @@ class KnownTracks {
  private:
   std::map<std::uint32_t, KnownTrack> tracks_;
   Near near_;
-  double oldest_ = std::numeric_limits<double>::infinity();  // no latest word is older than this [s]
+  double oldest_ = std::numeric_limits<double>::infinity();  // no latest update is older than this [s]
 };
 
 }  // namespace track_correlator

@@ -35,10 +35,10 @@ TEST(MarkClock, FillsAGapAtEvenTimes) {
 TEST(MarkClock, LeavesOutOneNumberOutOfLine) {
   MarkClock clock(0);
   clock.add({7, 1.0});
-  for (const std::int64_t mad : {7, 3, 100000}) {
-    const auto step = clock.add({mad, 1.1});
-    EXPECT_TRUE(step.stray) << mad;
-    EXPECT_TRUE(step.due.empty()) << mad;
+  for (const std::int64_t stray : {7, 3, 100000}) {
+    const auto step = clock.add({stray, 1.1});
+    EXPECT_TRUE(step.stray) << stray;
+    EXPECT_TRUE(step.due.empty()) << stray;
   }
   EXPECT_EQ(numbersOf(clock.add({8, 1.1}).due), (std::vector<std::int64_t>{8}));
 }

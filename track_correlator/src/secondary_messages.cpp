@@ -43,10 +43,10 @@ SecondaryPlot plotOf(const tws_msgs::SsrPlot& message, std::vector<std::string>&
   return plot;
 }
 
-std::uint8_t stateOf(const SecondaryWord& word) {
-  if (word.event == SecondaryEvent::kDropped) return tws_msgs::Track::DROPPED;
-  if (!word.track.firm) return tws_msgs::Track::TENTATIVE;
-  return word.event == SecondaryEvent::kCoasted ? tws_msgs::Track::COASTING : tws_msgs::Track::FIRM;
+std::uint8_t stateOf(const SecondaryUpdate& update) {
+  if (update.event == SecondaryEvent::kDropped) return tws_msgs::Track::DROPPED;
+  if (!update.track.firm) return tws_msgs::Track::TENTATIVE;
+  return update.event == SecondaryEvent::kCoasted ? tws_msgs::Track::COASTING : tws_msgs::Track::FIRM;
 }
 
 tws_runtime::PolarMotion motionOf(const SecondaryTrack& track) {
@@ -69,18 +69,18 @@ SecondarySector sectorOf(const tws_msgs::SsrPlots& message, std::vector<std::str
   return sector;
 }
 
-tws_msgs::Track trackMessage(const SecondaryWord& word, const Site& site, const tws::SeaLevel& sea,
+tws_msgs::Track trackMessage(const SecondaryUpdate& update, const Site& site, const tws::SeaLevel& sea,
                              const std::string& radar) {
-  const SecondaryTrack& track = word.track;
+  const SecondaryTrack& track = update.track;
   tws_msgs::Track message = tws_runtime::blankTrack(track.uid, track.uid);
-  message.state = stateOf(word);
+  message.state = stateOf(update);
   message.stamp = tws_runtime::toTime(track.time);
   message.first_detection = tws_runtime::toTime(track.first_time);
   message.last_update = tws_runtime::toTime(track.last_update);
   tws_runtime::setAtHeight(message, motionOf(track), track.height.value(), site, sea);
   tws_runtime::setPlanarCovariance(message, track.state.covariance, site);
   message.detection_bits =
-      word.event == SecondaryEvent::kUpdated ? std::uint16_t{tws_msgs::Track::DETECTED_BY_IFF} : std::uint16_t{0};
+      update.event == SecondaryEvent::kUpdated ? std::uint16_t{tws_msgs::Track::DETECTED_BY_IFF} : std::uint16_t{0};
   message.radars = {radar};
   message.radar_updates = {message.last_update};
   message.mode_1 = track.mode_1.value();

@@ -20,7 +20,7 @@ SecondarySector sectorOf(const tws_msgs::SsrPlots& message, std::vector<std::str
 
 /// What the tracker says of a track. With a known height the position lies at that height above the sea, without one
 /// the slant range is laid on the ground.
-tws_msgs::Track trackMessage(const SecondaryWord& word, const Site& site, const tws::SeaLevel& sea,
+tws_msgs::Track trackMessage(const SecondaryUpdate& update, const Site& site, const tws::SeaLevel& sea,
                              const std::string& radar);
 
 }  // namespace track_correlator

@@ -36,7 +36,7 @@ void SecondaryTracker::add(SecondarySector sector) {
   if (stored_.empty()) begin(sector);
   const std::int64_t gap = sector.running - stored_.back().sector.running;
   if (gap > kLongestGap || gap <= -tws::kSectors) {
-    // One mad number does no harm: two in line are the radar's new count.
+    // One stray number does no harm: two in line are the radar's new count.
     const bool new_count = stray_ && sector.running == *stray_ + 1;
     stray_ = sector.running;
     if (!new_count) {
@@ -74,7 +74,7 @@ void SecondaryTracker::begin(const SecondarySector& sector) {
 
 void SecondaryTracker::dropAll() {
   SecondaryReport report{stored_.back().sector.running, stored_.back().sector.leave_time, {}};
-  for (const SecondaryTrack& track : tracks_) report.words.push_back({SecondaryEvent::kDropped, track});
+  for (const SecondaryTrack& track : tracks_) report.updates.push_back({SecondaryEvent::kDropped, track});
   tracks_.clear();
   on_report_(report);
 }
@@ -137,16 +137,16 @@ void SecondaryTracker::process(std::size_t index) {
     SecondaryTrack& track = tracks_[due[i]];
     track.done = sector.running;
     if (plot_of[i] < 0) {
-      miss(track, report.enter_time, report.words);
+      miss(track, report.enter_time, report.updates);
       continue;
     }
     const std::size_t p = static_cast<std::size_t>(plot_of[i]);
     stored_[where[p].first].used[where[p].second] = true;
     update(track, plots[p], garbled[i]);
-    report.words.push_back({SecondaryEvent::kUpdated, track});
+    report.updates.push_back({SecondaryEvent::kUpdated, track});
   }
   removeDropped();
-  startTracks(stored_[index - 1], report.words);
+  startTracks(stored_[index - 1], report.updates);
   on_report_(report);
 }
 
@@ -166,14 +166,14 @@ void SecondaryTracker::update(SecondaryTrack& track, const PlacedPlot& placed, b
   if (!plot.callsign.empty()) track.callsign = plot.callsign;
 }
 
-void SecondaryTracker::miss(SecondaryTrack& track, double time, std::vector<SecondaryWord>& words) {
+void SecondaryTracker::miss(SecondaryTrack& track, double time, std::vector<SecondaryUpdate>& updates) {
   ++track.misses;
   const bool dropped = track.misses >= (track.firm ? params_.drop_misses : params_.tentative_misses);
   if (dropped && track.firm) ++counts_.dropped_tracks;
-  SecondaryWord word{dropped ? SecondaryEvent::kDropped : SecondaryEvent::kCoasted, track};
-  word.track.state = predicted(track, time, params_);
-  word.track.time = std::max(time, track.time);
-  words.push_back(std::move(word));
+  SecondaryUpdate update{dropped ? SecondaryEvent::kDropped : SecondaryEvent::kCoasted, track};
+  update.track.state = predicted(track, time, params_);
+  update.track.time = std::max(time, track.time);
+  updates.push_back(std::move(update));
 }
 
 void SecondaryTracker::removeDropped() {
@@ -184,7 +184,7 @@ void SecondaryTracker::removeDropped() {
 }
 
 /// All tracks that could want these plots have had their turn.
-void SecondaryTracker::startTracks(Stored& stored, std::vector<SecondaryWord>& words) {
+void SecondaryTracker::startTracks(Stored& stored, std::vector<SecondaryUpdate>& updates) {
   for (std::size_t p = 0; p < stored.used.size(); ++p) {
     if (stored.used[p]) continue;
     stored.used[p] = true;
@@ -200,7 +200,7 @@ void SecondaryTracker::startTracks(Stored& stored, std::vector<SecondaryWord>& w
     const PlacedPlot placed = place(plot, params_);
     track.state = tws::startState(placed.measured, params_.speed_sigma);
     update(track, placed, plot.mode_3a.garbled);
-    words.push_back({SecondaryEvent::kUpdated, track});
+    updates.push_back({SecondaryEvent::kUpdated, track});
     tracks_.push_back(std::move(track));
   }
 }

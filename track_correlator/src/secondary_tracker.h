@@ -16,7 +16,7 @@ namespace track_correlator {
 enum class SecondaryEvent { kUpdated, kCoasted, kDropped };
 
 /// What the tracker says of one track.
-struct SecondaryWord {
+struct SecondaryUpdate {
   SecondaryEvent event;
   SecondaryTrack track;  ///< Its state holds at track.time; a coasted one has been moved on.
 };
@@ -25,7 +25,7 @@ struct SecondaryWord {
 struct SecondaryReport {
   std::int64_t running = 0;  ///< The sector processed,
   double enter_time = 0.0;   ///< and when the beam entered it [s].
-  std::vector<SecondaryWord> words;
+  std::vector<SecondaryUpdate> updates;
 };
 
 struct SecondaryCounts {
@@ -70,8 +70,8 @@ class SecondaryTracker {
   void process(std::size_t index);
   std::vector<std::size_t> tracksNear(std::int64_t running, double time, std::vector<std::size_t>& due) const;
   void update(SecondaryTrack& track, const PlacedPlot& plot, bool garbled);
-  void miss(SecondaryTrack& track, double time, std::vector<SecondaryWord>& words);
-  void startTracks(Stored& stored, std::vector<SecondaryWord>& words);
+  void miss(SecondaryTrack& track, double time, std::vector<SecondaryUpdate>& updates);
+  void startTracks(Stored& stored, std::vector<SecondaryUpdate>& updates);
   bool isSplit(const SecondaryPlot& plot) const;
   void removeDropped();
 

@@ -34,9 +34,9 @@ TEST(SecondaryTracker, MakesOneFirmTrackOfAnAircraftWithItsCodeAndHeight) {
   EXPECT_NEAR(track.state.mean(1), kEastbound.yAt(track.time), 50.0);
   EXPECT_NEAR(track.state.mean(2), 200.0, 10.0);
   EXPECT_NEAR(track.state.mean(3), 0.0, 10.0);
-  const auto words = ssr.words();
-  EXPECT_FALSE(words[1].track.firm);
-  EXPECT_TRUE(words[2].track.firm);
+  const auto updates = ssr.updates();
+  EXPECT_FALSE(updates[1].track.firm);
+  EXPECT_TRUE(updates[2].track.firm);
 }
 
 // If this fails, the correlator waits for sectors that come earlier or later than the paper says (figure 2).
@@ -104,9 +104,9 @@ TEST(SecondaryTracker, StaysWithAnAircraftThatChangesItsCode) {
   SsrListener ssr;
   ssr.add(sectors);
   ASSERT_EQ(ssr.tracks().size(), 1U);
-  const auto words = ssr.words();
-  EXPECT_EQ(words[7].track.mode_3a.value(), 04321);
-  EXPECT_EQ(words[8].track.mode_3a.value(), 07000);
+  const auto updates = ssr.updates();
+  EXPECT_EQ(updates[7].track.mode_3a.value(), 04321);
+  EXPECT_EQ(updates[8].track.mode_3a.value(), 07000);
 }
 
 // If this fails, a fade costs the track, or an aircraft that has landed stays for ever.
@@ -118,8 +118,8 @@ TEST(SecondaryTracker, CoastsFourScansAndDropsAtTheFifth) {
   SsrListener ssr;
   ssr.add(sectors);
   std::string story;
-  for (const SecondaryWord& word : ssr.words())
-    story += word.event == SecondaryEvent::kUpdated ? 'u' : word.event == SecondaryEvent::kCoasted ? 'c' : 'd';
+  for (const SecondaryUpdate& update : ssr.updates())
+    story += update.event == SecondaryEvent::kUpdated ? 'u' : update.event == SecondaryEvent::kCoasted ? 'c' : 'd';
   EXPECT_EQ(story, "uuuuuccccuuuccccd");
   EXPECT_EQ(ssr.tracks().size(), 1U);
   EXPECT_EQ(ssr.tracker.counts().dropped_tracks, 1U);
@@ -131,10 +131,10 @@ TEST(SecondaryTracker, DropsALoneReplyAfterTwoScans) {
   kSsr.put(kSsr.plotOf(kEastbound, 0), sectors);
   SsrListener ssr;
   ssr.add(sectors);
-  const auto words = ssr.words();
-  ASSERT_EQ(words.size(), 3U);
-  EXPECT_EQ(words[2].event, SecondaryEvent::kDropped);
-  EXPECT_FALSE(words[2].track.firm);
+  const auto updates = ssr.updates();
+  ASSERT_EQ(updates.size(), 3U);
+  EXPECT_EQ(updates[2].event, SecondaryEvent::kDropped);
+  EXPECT_FALSE(updates[2].track.firm);
 }
 
 // If this fails, an aircraft near north is updated twice in a turn, or not at all.
@@ -144,7 +144,7 @@ TEST(SecondaryTracker, UpdatesOnceATurnAlsoAcrossNorthInBothDirections) {
     SsrListener ssr;
     ssr.add(seen({aircraft}, 30));
     EXPECT_EQ(ssr.tracks().size(), 1U);
-    for (const SecondaryWord& word : ssr.words()) EXPECT_EQ(word.event, SecondaryEvent::kUpdated);
+    for (const SecondaryUpdate& update : ssr.updates()) EXPECT_EQ(update.event, SecondaryEvent::kUpdated);
   }
 }
 
@@ -181,7 +181,7 @@ TEST(SecondaryTracker, FillsAGapAndBeginsAnewBehindALongOne) {
   EXPECT_EQ(other.tracks().size(), 2U);
   EXPECT_EQ(other.tracker.counts().lost_sectors, 0U);
   int dropped = 0;
-  for (const SecondaryWord& word : other.words()) dropped += word.event == SecondaryEvent::kDropped;
+  for (const SecondaryUpdate& update : other.updates()) dropped += update.event == SecondaryEvent::kDropped;
   EXPECT_EQ(dropped, 1);
 }
 
@@ -211,7 +211,7 @@ TEST(SecondaryTracker, SaysTheSameWhateverTheOrderOfThePlotsOfASector) {
   auto shuffled = sectors;
   for (auto& sector : shuffled) std::shuffle(sector.plots.begin(), sector.plots.end(), generator);
   second.add(shuffled);
-  const auto a = first.words(), b = second.words();
+  const auto a = first.updates(), b = second.updates();
   ASSERT_EQ(a.size(), b.size());
   ASSERT_GT(a.size(), 150U * 10);
   for (std::size_t i = 0; i < a.size(); ++i) {

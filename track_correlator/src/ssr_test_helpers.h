@@ -72,15 +72,15 @@ struct SsrListener {
   void add(const std::vector<SecondarySector>& sectors) {
     for (const SecondarySector& sector : sectors) tracker.add(sector);
   }
-  std::vector<SecondaryWord> words() const {
-    std::vector<SecondaryWord> all;
-    for (const SecondaryReport& report : reports) all.insert(all.end(), report.words.begin(), report.words.end());
+  std::vector<SecondaryUpdate> updates() const {
+    std::vector<SecondaryUpdate> all;
+    for (const SecondaryReport& report : reports) all.insert(all.end(), report.updates.begin(), report.updates.end());
     return all;
   }
   /// Words of each track.
   std::map<std::uint32_t, int> tracks() const {
     std::map<std::uint32_t, int> tracks;
-    for (const SecondaryWord& word : words()) ++tracks[word.track.uid];
+    for (const SecondaryUpdate& update : updates()) ++tracks[update.track.uid];
     return tracks;
   }
 };

@@ -89,8 +89,8 @@ class SsrTrackerNode::Impl {
   void publish(const SecondaryReport& report) {
     const Site site = site_.site().value_or(Site{});
     tws_msgs::Tracks message = tracks_.message(report.enter_time, params_.radar, report.running);
-    for (const SecondaryWord& word : report.words)
-      message.tracks.push_back(trackMessage(word, site, params_.sea, params_.radar));
+    for (const SecondaryUpdate& update : report.updates)
+      message.tracks.push_back(trackMessage(update, site, params_.sea, params_.radar));
     tracks_.publish(message);
   }
 

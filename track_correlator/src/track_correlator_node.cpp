@@ -168,9 +168,9 @@ class TrackCorrelatorNode::Impl {
     message.radar = params_.clock_radar;
     message.running_sector = static_cast<std::uint32_t>(report.running);
     message.sector = static_cast<std::uint8_t>(report.running % tws::kSectors);
-    for (const CorrelatedWord& word : report.words)
+    for (const CorrelatedUpdate& update : report.updates)
       message.tracks.push_back(
-          toMessage(word, find(kPrimary, word.primary), find(kSecondary, word.secondary), report.time));
+          toMessage(update, find(kPrimary, update.primary), find(kSecondary, update.secondary), report.time));
     out_.publish(message);
     if (message.sector == 0) forget();
   }
@@ -189,7 +189,7 @@ class TrackCorrelatorNode::Impl {
   tws::TimeOrder<Input> order_;
   tws_runtime::Publisher<tws_msgs::CorrelatedTracks> out_;
   std::array<double, 3> stream_time_ = {};
-  std::array<std::unordered_map<std::uint32_t, tws_msgs::Track>, 2> latest_;  // words by uid: primary, secondary
+  std::array<std::unordered_map<std::uint32_t, tws_msgs::Track>, 2> latest_;  // updates by uid: primary, secondary
   std::array<std::optional<std::uint32_t>, 2> sequence_;
   std::string frame_;
   tws_runtime::CountReport<CorrelatorCounts> counts_;
