@@ -38,6 +38,7 @@ class RunGuard {
   struct Departure {
     double first, newest;  // stamps [s]
     double old_newest;     // where the old run was when it began [s]
+    double step;           // the longest from one to the next [s]
     int messages;
   };
   struct Stream {
@@ -51,6 +52,7 @@ class RunGuard {
 
   std::vector<Stream> streams_;
   double restart_limit_;
+  double step_ = 0.0;   // the longest between the messages that the run went to [s]
   double begun_ = 0.0;  // where the run, or what follows its latest pause, began [s]
   std::optional<double> newest_;
 };

@@ -62,7 +62,9 @@ TEST_F(RunGuardTest, BeginsANewRunWhenMessagesOfASecondAgreeAndThenTakesTheOther
   RunGuard guard = running(2);
   EXPECT_EQ(judgeRun(guard, {0}, 1.0, 10), Verdict::kHold);
   EXPECT_EQ(guard.judge(1, 100.2), Verdict::kTake) << "still on its way";
-  EXPECT_EQ(guard.judge(0, 2.05), Verdict::kNewRun);
+  EXPECT_EQ(guard.judge(0, 2.05), Verdict::kHold) << "may be late data of this stream alone";
+  EXPECT_EQ(guard.judge(1, 2.05), Verdict::kHold);
+  EXPECT_EQ(guard.judge(0, 2.1), Verdict::kNewRun);
   EXPECT_TRUE(guard.agrees(1.0));
   EXPECT_FALSE(guard.agrees(100.2));
   EXPECT_EQ(guard.judge(1, 100.3), Verdict::kHold) << "of the old run";
@@ -92,6 +94,21 @@ TEST_F(RunGuardTest, GoesOnBehindAPauseOfTheFeed) {
   EXPECT_EQ(judgeRun(guard, {0}, 1000.0, 5), Verdict::kHold);
   EXPECT_EQ(judgeRun(guard, {0}, 1000.5, 20), Verdict::kResume);
   EXPECT_EQ(guard.judge(0, 1001.2), Verdict::kTake);
+}
+
+TEST_F(RunGuardTest, WhatOneStreamHandsInLateAllAtOnceBeginsNoNewRun) {
+  RunGuard guard = running(3);
+  for (int i = 0; i < 190; ++i) EXPECT_EQ(guard.judge(0, 75.0 + kStep * i), Verdict::kHold);
+  EXPECT_EQ(guard.judge(1, 100.1), Verdict::kTake);
+  EXPECT_EQ(guard.judge(0, 100.1), Verdict::kTake);
+}
+
+TEST_F(RunGuardTest, FollowsAFeedWhoseMessagesLieFurtherApartThanTheLimit) {
+  RunGuard guard(2, 5.0);  // a radar that turns once in ten minutes: its detections and its marks
+  int held = 0;
+  for (int i = 0; i < 100; ++i)
+    for (const std::size_t stream : {0u, 1u}) held += guard.judge(stream, 9.4 * i) == Verdict::kHold ? 1 : 0;
+  EXPECT_LE(held, 6);
 }
 
 TEST_F(RunGuardTest, GetsOverAStrayFirstStamp) {

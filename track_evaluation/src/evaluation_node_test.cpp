@@ -164,10 +164,12 @@ TEST(EvaluationNode, TimeThatGoesBackBeginsANewRunAndTheRestOfTheOldOneIsDropped
   for (double time = 1.0; time < 4.0; time += 1.0) graph.truth(time, {aircraft(1, 0, 0)});
   graph.tracks(110.0, {firmTrack(7, 110.0, 0, 0)});
   graph.tracks(1.5, {firmTrack(5, 1.5, 0, 0)});
+  EXPECT_EQ(graph.counted("new runs"), 0U) << "the truth alone does not decide";
+  graph.truth(4.0, {aircraft(1, 0, 0)});
   EXPECT_EQ(graph.counted("new runs"), 1U);
   const YAML::Node metrics = graph.score()["metrics"];
-  EXPECT_EQ(metrics["epochs"].as<double>(), 3.0) << "none of the new run is lost";
-  EXPECT_NEAR(metrics["completeness"].as<double>(), 2.0 / 3.0, 1e-6);
+  EXPECT_EQ(metrics["epochs"].as<double>(), 4.0) << "none of the new run is lost";
+  EXPECT_NEAR(metrics["completeness"].as<double>(), 3.0 / 4.0, 1e-6);
 }
 
 // If this fails, one stamp that was damaged on its way wipes the score of a run.
