@@ -186,6 +186,11 @@ class BagReader {
       if (message && (!input_.recorded || spaceOf(topic.name) == input_.space))
         input_.recorded = graphFromYaml(message->yaml);
     }
+    if (!input_.recorded) return;
+    for (const NodeDescription& node : input_.recorded->nodes) {
+      const YAML::Node& parameters = node.parameters;
+      if (parameters.IsMap() && parameters["origin"]) input_.origin.reset(parameters["origin"]);
+    }
   }
 
   /// Nodes that a bag without a description was recorded with.

@@ -54,14 +54,14 @@ std::string truthIn(const rosbag::Bag& bag, const std::string& space) {
   return topics.size() == 1 ? *topics.begin() : "";
 }
 
-/// As the graph that the run consisted of had it for its own evaluation.
+/// As the graph that the run consisted of had it for its nodes.
 YAML::Node originIn(const rosbag::Bag& bag) {
   rosbag::View view(bag, rosbag::TypeQuery(ros::message_traits::datatype<tws_msgs::GraphDescription>()));
   for (const rosbag::MessageInstance& message : view) {
     const auto graph = message.instantiate<tws_msgs::GraphDescription>();
     if (!graph) continue;
     for (const YAML::Node& node : YAML::Load(graph->yaml)["nodes"])
-      if (node["type"].as<std::string>() == "evaluation_node") return node["parameters"]["origin"];
+      if (node["parameters"] && node["parameters"]["origin"]) return node["parameters"]["origin"];
   }
   return YAML::Node();
 }

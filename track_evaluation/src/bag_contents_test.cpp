@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <rosbag/bag.h>
 #include <tws_msgs/Detections.h>
+#include <tws_msgs/GraphDescription.h>
 #include <tws_msgs/Tracks.h>
 #include <tws_msgs/Truth.h>
 
@@ -14,12 +15,16 @@ namespace {
 using Names = std::vector<std::string>;
 
 /// What a bag with tracks, detections and truth under these topics holds.
-BagContents contentsOf(const std::string& tracks, const std::string& detections, const std::string& truth) {
+BagContents contentsOf(const std::string& tracks, const std::string& detections, const std::string& truth,
+                       const std::string& graph = "") {
   const std::string path = testing::TempDir() + "bag_contents_test.bag";
   rosbag::Bag bag(path, rosbag::bagmode::Write);
   bag.write(tracks, ros::Time(1.0), tws_msgs::Tracks());
   bag.write(detections, ros::Time(1.0), tws_msgs::Detections());
   bag.write(truth, ros::Time(1.0), tws_msgs::Truth());
+  tws_msgs::GraphDescription description;
+  description.yaml = graph;
+  if (!graph.empty()) bag.write("/graph", ros::Time(1.0), description);
   bag.close();
   BagContents contents = inspectBag(path);
   std::remove(path.c_str());
@@ -52,6 +57,16 @@ TEST(BagContents, NamesTrackersOfSeveralNamespacesInFull) {
   EXPECT_EQ(contents.space, "");
   EXPECT_EQ(contents.trackers, (Names{"ship1/adit"}));
   EXPECT_EQ(contents.radars, (Names{"ship2/sps12"}));
+}
+
+TEST(BagContents, KnowsTheOriginWhereTheGraphSaysIt) {
+  const auto origin_of = [](const std::string& parameters) {
+    return contentsOf("/adit/tracks", "/sps12/detections", "/truth",
+                      "nodes: [{type: evaluation_node, parameters: " + parameters + "}]")
+        .origin;
+  };
+  EXPECT_TRUE(origin_of("{origin: {latitude_deg: 48}}").IsMap());
+  EXPECT_FALSE(origin_of("{period_s: 5}").IsMap());  // Of a bag that was recorded from a bag.
 }
 
 }  // namespace
