@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
 #include <set>
 #include <stdexcept>
 
@@ -43,6 +44,8 @@ class Resolver {
         if (choice.like == row.name) addIfItBelongs(row, name);
     }
     refuseIdleChoices();
+    refuseUnknownRadars();
+    refuseTwoOnOneTopic();
     for (NodeDescription& node : graph_.nodes) setListsOfTopics(node);
     for (std::size_t i = 0; i < graph_.nodes.size(); ++i) setWhatFollowsFromOthers(i);
     describeItself();
@@ -73,6 +76,35 @@ class Resolver {
         throw std::runtime_error("trackers: " + name +
                                  " is no part of the graph of this input: it is one where there is '" +
                                  file_.find(choice.like.empty() ? name : choice.like)->when + "'");
+  }
+
+  /// A tracker of a radar that the input has not would wait for it in silence.
+  void refuseUnknownRadars() const {
+    for (const NodeDescription& node : graph_.nodes) {
+      const auto choice = chosen_.find(node.name);
+      if (choice == chosen_.end() || !choice->second.parameters.IsMap()) continue;
+      const YAML::Node radar = choice->second.parameters["radar"];
+      if (!radar || !radar.IsScalar()) continue;
+      const auto has = [&](const SensorKind& kind) {
+        const std::vector<std::string> names = input_.names(kind.name);
+        return std::count(names.begin(), names.end(), radar.Scalar()) > 0;
+      };
+      if (std::none_of(file_.sensors.begin(), file_.sensors.end(), has))
+        throw std::runtime_error("trackers: " + node.name + "/radar: there is no radar '" + radar.Scalar() + "'");
+    }
+  }
+
+  /// Of two nodes on one topic of tracks neither can be told from the other.
+  void refuseTwoOnOneTopic() const {
+    std::map<std::string, std::string> speakers;
+    for (const NodeDescription& node : graph_.nodes)
+      for (const auto& [topic, type] : node.says) {
+        if (node.role != "tracker" || type == "tws_msgs/ElevationRequests") continue;
+        const auto [other, is_new] = speakers.emplace(topic, node.name);
+        if (!is_new)
+          throw std::runtime_error("trackers: " + other->second + " and " + node.name + " both publish " + topic +
+                                   "; one more of this node cannot run beside it");
+      }
   }
 
   void addIfItBelongs(const NodeRow& row, const std::string& name) {

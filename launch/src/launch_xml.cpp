@@ -29,7 +29,10 @@ std::string attribute(const std::string& name, const std::string& value) {
 std::string word(const std::string& text) {
   const bool plain = text.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_./=:,-") ==
                      std::string::npos;
-  return plain ? text : "'" + text + "'";
+  if (plain) return text;
+  std::string quoted = "'";
+  for (const char c : text) quoted += c == '\'' ? std::string("'\"'\"'") : std::string(1, c);
+  return quoted + "'";
 }
 
 std::string joinedArguments(const std::vector<std::string>& arguments) {
