@@ -3,17 +3,14 @@
 #include <tws_msgs/ClutterMap.h>
 #include <tws_msgs/Tracks.h>
 #include <tws_runtime/conversions.h>
-#include <tws_runtime/parameters.h>
 #include <tws_runtime/radar_inputs.h>
 #include <tws_runtime/track_writer.h>
 
 #include <algorithm>
-#include <cmath>
 #include <deque>
 #include <limits>
 #include <optional>
 
-#include "adit_params_reader.h"
 #include "clutter/clutter_interface.h"
 #include "core/adit.h"
 #include "elevation/elevation_interface.h"
@@ -21,6 +18,8 @@
 #include "io/radar_sites.h"
 #include "io/status_report.h"
 #include "io/track_messages.h"
+#include "io/trouble_report.h"
+#include "node_params.h"
 #include "operator/operator_interface.h"
 
 namespace adit_tracker {
@@ -28,50 +27,6 @@ namespace {
 
 using tws_runtime::Bus;
 using tws_runtime::RadarInputs;
-
-struct NodeParams {
-  AditParams adit;
-  std::string frame = "map";  // of positions
-  RadarInputs::Options inputs;
-  std::size_t overflow = 20;  // sectors behind the antenna
-  std::string point_topic;
-  std::string clutter_map;  // file
-};
-
-NodeParams readNodeParams(Bus& bus) {
-  tws_runtime::ParameterReader reader(bus.parameters(), bus.name());
-  NodeParams params;
-  reader.require("radars");
-  params.adit = readAditParams(reader);
-  reader.text("frame", params.frame);
-  reader.number("wait_limit_s", params.inputs.wait_limit, 0.0, 60.0);
-  reader.number("restart_limit_s", params.inputs.restart_limit, 0.5, 3600.0);
-  reader.integer("overflow_sectors", params.overflow, 0, 1000000);
-  reader.text("point_topic", params.point_topic);
-  reader.text("clutter_map", params.clutter_map);
-  reader.done();
-  if (params.inputs.wait_limit >= params.adit.skew_limit) {
-    reader.fail("wait_limit_s", "must be less than skew_limit_s, or what replaces lost messages comes too late");
-  }
-  try {
-    check(params.adit);
-  } catch (const std::invalid_argument& error) {
-    throw tws_runtime::ParameterError(bus.name() + ": " + error.what());
-  }
-  return params;
-}
-
-std::vector<std::string> namesOf(const AditParams& params) {
-  std::vector<std::string> names;
-  for (const RadarParams& radar : params.radars) names.push_back(radar.name);
-  return names;
-}
-
-std::vector<tws_runtime::RadarTopics> topicsOf(const AditParams& params) {
-  std::vector<tws_runtime::RadarTopics> topics;
-  for (const RadarParams& radar : params.radars) topics.push_back(tws_runtime::usualTopics(radar.name));
-  return topics;
-}
 
 // Sectors that wait for the radars' sites: two turns of one radar.
 constexpr std::size_t kMostWaiting = std::size_t{2} * tws::kSectors;
@@ -95,6 +50,7 @@ class AditNode::Impl {
         iff_(bus, params_.frame, params_.adit.iff, params_.inputs.restart_limit),
         sites_(bus, params_.frame, namesOf(params_.adit), joinsSites(params_.adit),
                [this](std::size_t radar) -> const std::string& { return inputs_.frame(radar); }),
+        troubles_(bus, params_.adit, params_.overflow),
         inputs_(
             bus, topicsOf(params_.adit), params_.inputs,
             [this](std::size_t radar, tws::RadarSector sector) { onSector(radar, std::move(sector)); },
@@ -111,7 +67,7 @@ class AditNode::Impl {
   /// A new run: nothing of the old one stays, but for the sites.
   void begin() {
     waiting_.clear();
-    totals_ = AditCounts{};
+    troubles_.beginNewRun();
     heard_.assign(params_.adit.radars.size(), -std::numeric_limits<double>::infinity());
     adit_.emplace(params_.adit, [this](const SectorReport& report) { publish(report); });
     clutter_interface_.beginRun();
@@ -166,7 +122,7 @@ class AditNode::Impl {
   }
 
   void afterSector() {
-    countTroubles();
+    troubles_.add(*adit_);
     operators_.afterSector(*adit_);
     const SectorReport& latest = adit_->tracks().latest();
     const bool counts =
@@ -182,7 +138,9 @@ class AditNode::Impl {
 
   void skipWhenOverflowing() {
     if (params_.overflow == 0 || adit_->order().waiting() <= params_.overflow || lag() <= params_.overflow) return;
+    const std::uint64_t before = adit_->counts().skipped_sectors;
     adit_->skip();
+    skipped_ += static_cast<std::uint32_t>(adit_->counts().skipped_sectors - before);
     afterSector();
   }
 
@@ -231,38 +189,6 @@ class AditNode::Impl {
     operator_calls_ = skipped_ = 0;
   }
 
-  void countTroubles() {
-    const AditCounts& now = adit_->counts();
-    const auto count = [&](const char* name, std::uint64_t AditCounts::*member, const std::string& reason) {
-      for (std::uint64_t n = totals_.*member; n < now.*member; ++n) bus_.counter(name).add(reason);
-    };
-    count("refused tracks", &AditCounts::refused_tracks,
-          "all " + std::to_string(params_.adit.capacity - 1) + " track numbers are in use");
-    count("refused clutter points", &AditCounts::refused_clutter, "all clutter numbers are in use");
-    count("late sectors", &AditCounts::late_sectors,
-          "a radar's data came more than " + std::to_string(params_.adit.skew_limit) + " s after the others'");
-    count("rejected plots", &AditCounts::rejected_plots,
-          "range, azimuth or time is no number, or range is not in (0, 10000 km]");
-    count("late detections", &AditCounts::late_plots, "stamped more than a sector before the one that they came with");
-    count("duplicate detections", &AditCounts::duplicate_plots, "the same time, range and azimuth came before");
-    count("skipped sectors", &AditCounts::skipped_sectors,
-          "overflow: more than " + std::to_string(params_.overflow) + " sectors behind the radars");
-    skipped_ += static_cast<std::uint32_t>(now.skipped_sectors - totals_.skipped_sectors);
-    warnOfCapacity();
-    totals_ = now;
-  }
-
-  /// Once, until there is room again.
-  void warnOfCapacity() {
-    const bool nearly_full = isFilled(*adit_, kNearlyFull);
-    if (nearly_full && !warned_)
-      bus_.counter("capacity warnings")
-          .add(std::to_string(adit_->tracks().size()) + " of " + std::to_string(params_.adit.capacity - 1) +
-               " track numbers are in use");
-    constexpr double kRoomAgain = 0.8;
-    warned_ = nearly_full || (warned_ && isFilled(*adit_, kRoomAgain));
-  }
-
   Bus& bus_;
   NodeParams params_;
   tws_runtime::TrackWriter tracks_;
@@ -274,11 +200,10 @@ class AditNode::Impl {
   std::deque<std::pair<std::size_t, tws::RadarSector>> waiting_;
   IffInterface iff_;
   RadarSites sites_;
-  AditCounts totals_;
+  TroubleReport troubles_;
   std::vector<double> heard_;                       // of each radar: the end of its last sector [s]
   std::uint32_t operator_calls_ = 0, skipped_ = 0;  // since the last status
   bool scheduled_ = false;                          // work() stands in the queue
-  bool warned_ = false;                             // of the capacity
   std::optional<Adit> adit_;
   RadarInputs inputs_;
 };

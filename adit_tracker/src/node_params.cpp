@@ -1,0 +1,46 @@
+#include "node_params.h"
+
+#include <tws_runtime/parameters.h>
+
+#include <stdexcept>
+
+#include "adit_params_reader.h"
+
+namespace adit_tracker {
+
+NodeParams readNodeParams(tws_runtime::Bus& bus) {
+  tws_runtime::ParameterReader reader(bus.parameters(), bus.name());
+  NodeParams params;
+  reader.require("radars");
+  params.adit = readAditParams(reader);
+  reader.text("frame", params.frame);
+  reader.number("wait_limit_s", params.inputs.wait_limit, 0.0, 60.0);
+  reader.number("restart_limit_s", params.inputs.restart_limit, 0.5, 3600.0);
+  reader.integer("overflow_sectors", params.overflow, 0, 1000000);
+  reader.text("point_topic", params.point_topic);
+  reader.text("clutter_map", params.clutter_map);
+  reader.done();
+  if (params.inputs.wait_limit >= params.adit.skew_limit) {
+    reader.fail("wait_limit_s", "must be less than skew_limit_s, or what replaces lost messages comes too late");
+  }
+  try {
+    check(params.adit);
+  } catch (const std::invalid_argument& error) {
+    throw tws_runtime::ParameterError(bus.name() + ": " + error.what());
+  }
+  return params;
+}
+
+std::vector<std::string> namesOf(const AditParams& params) {
+  std::vector<std::string> names;
+  for (const RadarParams& radar : params.radars) names.push_back(radar.name);
+  return names;
+}
+
+std::vector<tws_runtime::RadarTopics> topicsOf(const AditParams& params) {
+  std::vector<tws_runtime::RadarTopics> topics;
+  for (const RadarParams& radar : params.radars) topics.push_back(tws_runtime::usualTopics(radar.name));
+  return topics;
+}
+
+}  // namespace adit_tracker
