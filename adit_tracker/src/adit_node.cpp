@@ -7,7 +7,6 @@
 #include <tws_runtime/track_writer.h>
 
 #include <algorithm>
-#include <deque>
 #include <limits>
 #include <optional>
 
@@ -28,8 +27,6 @@ namespace {
 using tws_runtime::Bus;
 using tws_runtime::RadarInputs;
 
-// Sectors that wait for the radars' sites: two turns of one radar.
-constexpr std::size_t kMostWaiting = std::size_t{2} * tws::kSectors;
 // Of the reference radar: there the report sets its status words (ELEV).
 constexpr std::int64_t kStatusSector = 61;
 
@@ -66,7 +63,7 @@ class AditNode::Impl {
  private:
   /// A new run: nothing of the old one stays, but for the sites.
   void begin() {
-    waiting_.clear();
+    sites_.beginNewRun();
     troubles_.beginNewRun();
     heard_.assign(params_.adit.radars.size(), -std::numeric_limits<double>::infinity());
     adit_.emplace(params_.adit, [this](const SectorReport& report) { publish(report); });
@@ -78,23 +75,15 @@ class AditNode::Impl {
     return {[this](std::string& why) { return caughtUp(why); }, [this]() -> const Site& { return sites_.origin(); }};
   }
 
-  /// Sectors wait, in the order in which they came, until the sites of their radars are known: what comes out does not
-  /// depend on when a transform arrives, nor on which radar is heard first.
   void onSector(std::size_t radar, tws::RadarSector sector) {
     heard_[radar] = sector.leave_time;
     iff_.radarsAt(sector.leave_time);
-    waiting_.emplace_back(radar, std::move(sector));
-    const bool patient = waiting_.size() <= kMostWaiting;
-    for (const auto& [waiting, unused] : waiting_) {
-      if (!sites_.find(waiting, patient)) return;
-    }
-    const bool all_at_once = waiting_.size() > 1;  // they waited for a site, which is no overload
-    for (auto& [ready, its_sector] : waiting_) {
-      if (!sites_.usable(ready)) continue;
-      adit_->place(ready, sites_.frame(ready));
-      adit_->add(ready, std::move(its_sector));
-    }
-    waiting_.clear();
+    const bool all_at_once = sites_.waiting() > 0;  // for a site, which is no overload
+    sites_.add(radar, std::move(sector), [this, radar](tws::RadarSector ready) {
+      adit_->place(radar, sites_.frame(radar));
+      adit_->add(radar, std::move(ready));
+    });
+    if (sites_.waiting() > 0) return;
     while (all_at_once && workOne()) continue;
     if (!bus_.live()) return work();
     if (!scheduled_) bus_.whenDrained([this] { work(); });
@@ -197,7 +186,6 @@ class AditNode::Impl {
   ElevationInterface elevation_;
   OperatorInterface operators_;
   ClutterInterface clutter_interface_;
-  std::deque<std::pair<std::size_t, tws::RadarSector>> waiting_;
   IffInterface iff_;
   RadarSites sites_;
   TroubleReport troubles_;

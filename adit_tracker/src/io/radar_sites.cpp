@@ -6,30 +6,41 @@ namespace adit_tracker {
 
 using tws_runtime::Site;
 
+// In the gate, one more than the radars: the first radar's before it is heard, which may have another frame then.
 RadarSites::RadarSites(tws_runtime::Bus& bus, const std::string& frame, const std::vector<std::string>& radars,
                        bool joins, FrameOf frame_of)
     : bus_(bus),
-      frame_(frame),
       radars_(radars),
       joins_(joins),
       frame_of_(std::move(frame_of)),
+      gate_(bus, frame, kMostWaiting, radars.size() + 1),
       frames_(radars.size()),
       usable_(radars.size()) {}
 
-std::optional<Site> RadarSites::siteOf(std::size_t radar, std::string& why) const {
-  // Before its first message a radar's frame is taken to have its name.
+/// Before its first message a radar's frame is taken to have its name.
+const std::string& RadarSites::frameOf(std::size_t slot) const {
+  const std::size_t radar = slot < radars_.size() ? slot : 0;
   const std::string& heard = frame_of_(radar);
-  return tws_runtime::findSite(bus_.transforms(), frame_, heard.empty() ? radars_[radar] : heard, why);
+  return heard.empty() ? radars_[radar] : heard;
 }
 
-/// The first radar's; else, when it is enough of waiting, that of the radar in question.
-bool RadarSites::findOrigin(std::size_t radar, bool patient) {
-  std::string why;
-  origin_ = siteOf(0, why);
-  if (origin_ || patient) return origin_.has_value();
-  origin_ = siteOf(radar, why);
+/// Whose site a sector needs before that of its own radar: the origin's, until there is one.
+std::size_t RadarSites::firstSlot(std::size_t radar) const {
+  if (origin_) return radar;
+  return frame_of_(0).empty() ? radars_.size() : 0;
+}
+
+/// By the frames of the latest messages; what waits has those of its own time.
+void RadarSites::findSoon(std::size_t radar) {
+  if (!origin_) gate_.find(radars_.size(), frameOf(0));
+  gate_.find(radar, frameOf(radar));
+}
+
+/// The first radar's; else, as that was given up, that of the radar in question.
+void RadarSites::findOrigin(std::size_t radar) {
+  for (const std::size_t slot : {radars_.size(), std::size_t{0}, radar})
+    if (!origin_) origin_ = gate_.site(slot);
   if (!origin_) origin_ = Site{};
-  return true;
 }
 
 tws::SiteFrame RadarSites::onPlane(const Site& site) const {
@@ -38,23 +49,21 @@ tws::SiteFrame RadarSites::onPlane(const Site& site) const {
   return {c * dx + s * dy, c * dy - s * dx, site.turn - origin_->turn};
 }
 
-bool RadarSites::find(std::size_t radar, bool patient) {
-  if (!origin_ && !findOrigin(radar, patient)) return false;
-  if (frames_[radar]) return true;
-  std::string why;
-  const std::optional<Site> site = siteOf(radar, why);
-  if (!site && patient) return false;
-  const std::string& name = radars_[radar];
-  if (!site) bus_.counter("unknown sites").add("no transform from " + name + " to " + frame_ + ": " + why);
+/// Whether the radar takes part. Its site is known or given up.
+bool RadarSites::place(std::size_t radar) {
+  findOrigin(radar);
+  if (frames_[radar]) return usable_[radar];
+  const std::optional<Site>& site = gate_.site(radar);
   frames_[radar] = site ? onPlane(*site) : tws::SiteFrame{};
   usable_[radar] = joins_ || tws::sameSite(*frames_[radar], tws::SiteFrame{});
   if (!usable_[radar]) {
     bus_.counter("radars at another site")
-        .add(name + " stands " + std::to_string(std::lround(std::hypot(frames_[radar]->x, frames_[radar]->y))) +
+        .add(radars_[radar] + " stands " +
+             std::to_string(std::lround(std::hypot(frames_[radar]->x, frames_[radar]->y))) +
              " m from the first radar; its detections are left out: to join them takes filter: turning, gates: "
              "statistical, clutter/per_radar: true");
   }
-  return true;
+  return usable_[radar];
 }
 
 }  // namespace adit_tracker

@@ -1,20 +1,27 @@
 #pragma once
 
+#include <tws_core/plot.h>
 #include <tws_runtime/bus.h>
-#include <tws_runtime/conversions.h>
+#include <tws_runtime/site_gate.h>
 
 #include <functional>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include <tws_core/sectors.h>
 #include <tws_core/site_frame.h>
 
 namespace adit_tracker {
 
-/// Where the radars stand, from /tf_static.
+/// Where the radars stand, from /tf_static. Their sectors wait for it, in the order in which they came: what comes out
+/// does not depend on when a transform arrives, nor on which radar is heard first.
 class RadarSites {
  public:
+  /// Sectors that wait, at most: two turns of one radar. Then an unknown site is counted, and taken for the first
+  /// radar's.
+  static constexpr std::size_t kMostWaiting = std::size_t{2} * tws::kSectors;
   /// What frame a radar's messages have; empty: it was not heard yet.
   using FrameOf = std::function<const std::string&(std::size_t radar)>;
 
@@ -23,29 +30,48 @@ class RadarSites {
   RadarSites(tws_runtime::Bus& bus, const std::string& frame, const std::vector<std::string>& radars, bool joins,
              FrameOf frame_of);
 
-  /// Looks for the site of a radar, and for the origin. False: it is not known yet, and
-  /// its data should wait; it is not asked to if not `patient`: then an unknown site is counted, and taken for the
-  /// first radar's.
-  bool find(std::size_t radar, bool patient);
+  /// Calls `use(sector)` once the origin and the sites of this radar and of those that wait are known or given up: now
+  /// or from a later call. Left out: the sectors of a radar that is not to take part.
+  template <class Use>
+  void add(std::size_t radar, tws::RadarSector sector, Use use) {
+    findSoon(radar);
+    const std::size_t first = firstSlot(radar);
+    gate_.add(
+        frameOf(first), std::move(sector),
+        [this, radar, use](tws::RadarSector& placed) {
+          gate_.add(
+              frameOf(radar), std::move(placed),
+              [this, radar, use](tws::RadarSector& ready) {
+                if (place(radar)) use(std::move(ready));
+              },
+              radar);
+        },
+        first);
+  }
+  /// A new run: forgets what waits. Sites stay.
+  void beginNewRun() { gate_.clear(); }
+  /// How many sectors wait.
+  std::size_t waiting() const { return gate_.waiting(); }
 
-  /// Is the radar to take part? Once find() has said true.
-  bool usable(std::size_t radar) const { return usable_[radar]; }
-  /// Where it stands on the plane of the origin. Once find() has said true.
+  /// Where a radar stands on the plane of the origin. Once one of its sectors was given, as the next two.
   const tws::SiteFrame& frame(std::size_t radar) const { return *frames_[radar]; }
-  /// Any place as it lies on that plane. Once find() has said true.
+  /// Any place as it lies on that plane.
   tws::SiteFrame onPlane(const tws_runtime::Site& site) const;
-  /// The first radar's site; of the first one that is heard, when the first radar has none. Once find() has said true.
+  /// The first radar's site; of the first one that is heard, when the first radar has none.
   const tws_runtime::Site& origin() const { return *origin_; }
 
  private:
-  std::optional<tws_runtime::Site> siteOf(std::size_t radar, std::string& why) const;
-  bool findOrigin(std::size_t radar, bool patient);
+  const std::string& frameOf(std::size_t slot) const;
+  std::size_t firstSlot(std::size_t radar) const;
+  void findSoon(std::size_t radar);
+  void findOrigin(std::size_t radar);
+  bool place(std::size_t radar);
 
   tws_runtime::Bus& bus_;
-  std::string frame_;
   std::vector<std::string> radars_;
   bool joins_;
   FrameOf frame_of_;
+  tws_runtime::SiteGate gate_;
   std::vector<std::optional<tws::SiteFrame>> frames_;
   std::vector<bool> usable_;
   std::optional<tws_runtime::Site> origin_;
