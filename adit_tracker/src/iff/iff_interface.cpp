@@ -7,9 +7,9 @@
 namespace adit_tracker {
 IffInterface::IffInterface(tws_runtime::Bus& bus, const std::string& frame, const std::vector<IffParams>& params,
                            double restart_limit)
-    : bus_(bus), frame_(frame), restart_limit_(restart_limit), interrogators_(params.size()) {
+    : bus_(bus), restart_limit_(restart_limit) {
   for (std::size_t i = 0; i < params.size(); ++i) {
-    interrogators_[i].name = params[i].name;
+    interrogators_.push_back({params[i].name, {bus, frame, kPatience}});
     bus.subscribe<tws_msgs::SsrPlots>(params[i].name + "/plots",
                                       [this, i](const auto& m) { onPlots(interrogators_[i], m); });
   }
@@ -18,13 +18,13 @@ IffInterface::IffInterface(tws_runtime::Bus& bus, const std::string& frame, cons
 void IffInterface::beginNewRun(double time) {
   radars_at_ = time;
   for (Interrogator& iff : interrogators_) {
+    iff.gate.clear();
     iff.waiting.clear();
     iff.gone_back = false;
   }
 }
 
 void IffInterface::onPlots(Interrogator& iff, const tws_msgs::SsrPlots& message) {
-  iff.frame = message.header.frame_id;
   tws::RadarSector sector;
   sector.sector = message.sector % tws::kSectors;
   sector.running = message.running_sector;
@@ -40,10 +40,10 @@ void IffInterface::onPlots(Interrogator& iff, const tws_msgs::SsrPlots& message)
     plot.range = p.range;
     plot.azimuth = p.azimuth;
   }
-  addSector(iff, std::move(sector));
+  addSector(iff, message.header.frame_id, std::move(sector));
 }
 
-void IffInterface::addSector(Interrogator& iff, tws::RadarSector sector) {
+void IffInterface::addSector(Interrogator& iff, const std::string& frame, tws::RadarSector sector) {
   iff.gone_back = iff.gone_back || sector.leave_time <= radars_at_ + restart_limit_;
   if (!iff.gone_back) {
     bus_.counter("messages of the old run")
@@ -51,6 +51,10 @@ void IffInterface::addSector(Interrogator& iff, tws::RadarSector sector) {
              std::to_string(radars_at_) + " s");
     return;
   }
+  iff.gate.add(frame, std::move(sector), [this, &iff](tws::RadarSector& placed) { await(iff, std::move(placed)); });
+}
+
+void IffInterface::await(Interrogator& iff, tws::RadarSector sector) {
   iff.waiting.push_back(std::move(sector));
   if (iff.waiting.size() <= kMostWaiting) return;
   iff.waiting.pop_front();
@@ -59,33 +63,20 @@ void IffInterface::addSector(Interrogator& iff, tws::RadarSector sector) {
            " wait: the radars are silent, or its clock is ahead of theirs");
 }
 
-/// Once for each secondary radar.
-bool IffInterface::findSite(Interrogator& iff, const RadarSites& sites) {
-  if (iff.site || iff.site_unknown) return true;
-  const bool patient = iff.waiting.size() <= kPatience;
-  std::string why;
-  const auto site = tws_runtime::findSite(bus_.transforms(), frame_, iff.frame, why);
-  if (site) iff.site = sites.onPlane(*site);
-  if (site || patient) return site.has_value();
-  bus_.counter("unknown sites")
-      .add("no transform from " + iff.name + " to " + frame_ + ": " + why + "; its plots are left out");
-  iff.site_unknown = true;
-  return true;
-}
-
 void IffInterface::handOver(Adit& adit, const RadarSites& sites) {
   for (std::size_t i = 0; i < interrogators_.size(); ++i) {
     Interrogator& iff = interrogators_[i];
-    if (iff.waiting.empty() || !findSite(iff, sites)) continue;
+    if (iff.waiting.empty()) continue;
+    const auto& site = iff.gate.site();
     std::deque<tws::RadarSector> ahead;
     for (tws::RadarSector& sector : iff.waiting) {
       const std::size_t plots = sector.plots.size();
       const std::string which = "up to " + std::to_string(sector.leave_time) + " s, of " + iff.name;
-      if (!iff.site)
+      if (!site)
         leaveOut("unplaced IFF plots", plots, which);
       else if (sector.leave_time > radars_at_)
         ahead.push_back(std::move(sector));
-      else if (!adit.addIff(i, std::move(sector), *iff.site))
+      else if (!adit.addIff(i, std::move(sector), sites.onPlane(*site)))
         leaveOut("late IFF plots", plots, which);
     }
     iff.waiting = std::move(ahead);

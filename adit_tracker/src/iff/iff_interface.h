@@ -2,11 +2,11 @@
 
 #include <tws_msgs/SsrPlots.h>
 #include <tws_runtime/bus.h>
+#include <tws_runtime/site_gate.h>
 
 #include <algorithm>
 #include <deque>
 #include <limits>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -38,19 +38,17 @@ class IffInterface {
 
  private:
   struct Interrogator {
-    std::string name, frame;
-    std::deque<tws::RadarSector> waiting;  // in the order in which they came
-    std::optional<tws::SiteFrame> site;
-    bool site_unknown = false;
-    bool gone_back = true;  // after the radars
+    std::string name;
+    tws_runtime::SiteGate gate;
+    std::deque<tws::RadarSector> waiting = {};  // for the radars, in the order in which they came
+    bool gone_back = true;                      // after the radars
   };
   void onPlots(Interrogator& iff, const tws_msgs::SsrPlots& message);
-  void addSector(Interrogator& iff, tws::RadarSector sector);
-  bool findSite(Interrogator& iff, const RadarSites& sites);
+  void addSector(Interrogator& iff, const std::string& frame, tws::RadarSector sector);
+  void await(Interrogator& iff, tws::RadarSector sector);
   void leaveOut(const char* counter, std::size_t plots, const std::string& reason);
 
   tws_runtime::Bus& bus_;
-  std::string frame_;
   double restart_limit_;
   double radars_at_ = -std::numeric_limits<double>::infinity();  // the latest time that a radar has told [s]
   std::vector<Interrogator> interrogators_;
