@@ -70,7 +70,7 @@ def shuffled(source, target, seed):
     delays = random.Random(seed)
     delay = {topic: rospy.Duration(delays.uniform(0.0, 0.4)) for topic in SENSOR_TOPICS}
     with rosbag.Bag(str(source)) as recorded, rosbag.Bag(str(target), "w") as out:
-        for topic, message, time in recorded.read_messages(SENSOR_TOPICS + ["/tf_static"]):
+        for topic, message, time in recorded.read_messages(SENSOR_TOPICS + ["/tf_static", "/graph"]):
             out.write(topic, message, message.header.stamp + delay[topic] if topic in delay else time)
     return target
 
