@@ -99,8 +99,10 @@ class WindowTrackerTest(unittest.TestCase):
         marker.header.frame_id = "map"
         marker.point.x, marker.point.y = (c + 350.0 for c in aircraft(START + scene.next * PERIOD / SECTORS))
         scene.point.publish(marker)
-        scene.wait(lambda: len(scene.requests) == 2, "the request")
-        self.assertEqual([r.request for r in scene.requests], [OperatorRequest.DROP, OperatorRequest.INITIATE])
+        scene.wait(lambda: len(scene.requests) == 3, "the request")
+        self.assertEqual([(r.request, r.result) for r in scene.requests],
+                         [(OperatorRequest.DROP, OperatorRequest.OK), (OperatorRequest.DROP, OperatorRequest.REFUSED),
+                          (OperatorRequest.INITIATE, OperatorRequest.OK)])
         for _ in range(7):
             scene.turn()
         self.assertEqual([t.state for t in scene.tracks().values()], [Track.FIRM])
