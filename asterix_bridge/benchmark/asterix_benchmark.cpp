@@ -68,7 +68,7 @@ std::string syntheticRecording() {
 
 std::string pathOfRecording() {
   if (const char* path = std::getenv("ASTERIX_FILE")) return path;
-  const std::string path = fs::temp_directory_path() / ("asterix_benchmark_" + std::to_string(getpid()) + ".ast");
+  std::string path = fs::temp_directory_path() / ("asterix_benchmark_" + std::to_string(getpid()) + ".ast");
   std::ofstream(path, std::ios::binary) << syntheticRecording();
   return path;
 }

@@ -29,7 +29,7 @@ inline Octets operator+(const Octets& a, const Octets& b) {
 
 inline Block decoded(const Octets& octets, std::size_t offset = 0) {
   // A buffer of exactly this size, so that the address sanitizer sees any step outside.
-  const Octets copy(octets);
+  const Octets copy(octets.begin(), octets.end());
   Block block;
   decodeBlock(bytesOf(copy), offset, block);
   return block;

@@ -141,7 +141,7 @@ class BagReader {
     std::vector<std::string> candidates;
     for (const Topic& topic : topics_) {
       if (topic.type != type) continue;
-      if (topic.name == beside) return beside;
+      if (topic.name == beside) return topic.name;
       if (radarOf(first(topic)) == sensor.sensor) candidates.push_back(topic.name);
     }
     if (candidates.size() > 1)

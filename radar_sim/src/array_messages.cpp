@@ -16,7 +16,7 @@ tws_msgs::RuvMeasurement toMeasurement(const ArrayMeasurement& measurement) {
   message.range = measurement.place.range;
   message.u = measurement.place.u;
   message.v = measurement.place.v;
-  for (std::size_t i = 0; i < 9; ++i) message.covariance[i] = measurement.covariance(i / 3, i % 3);
+  for (int i = 0; i < 9; ++i) message.covariance[static_cast<std::size_t>(i)] = measurement.covariance(i / 3, i % 3);
   message.snr = measurement.snr;
   message.rcs = measurement.rcs;
   return message;
@@ -43,7 +43,7 @@ tws_msgs::DwellReport toDwellReport(const ArrayDwell& dwell, const ArrayParams& 
 
 template <class M>
 Eigen::Vector3d vectorOf(const M& message, const std::string& what) {
-  const Eigen::Vector3d vector(message.x, message.y, message.z);
+  Eigen::Vector3d vector(message.x, message.y, message.z);
   if (!vector.allFinite()) throw std::invalid_argument(what + " is not finite");
   return vector;
 }

@@ -26,7 +26,7 @@ std::string errorOf(const std::function<void()>& action) {
 }
 
 std::string write(const std::string& name, const std::string& text) {
-  const std::string path = ::testing::TempDir() + name;
+  std::string path = ::testing::TempDir() + name;
   std::ofstream(path) << text;
   return path;
 }

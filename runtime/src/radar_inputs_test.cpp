@@ -43,7 +43,7 @@ class TwoRadars : public ::testing::Test {
   }
   /// Both radars from one time [s after the epoch] to another, in turns.
   void sendBoth(double from, double to) {
-    std::uint32_t next[2];
+    std::uint32_t next[2] = {};
     for (const std::size_t i : {0u, 1u}) next[i] = static_cast<std::uint32_t>(std::ceil(from / kSectorTimes[i]));
     for (;;) {
       const double times[2] = {kSectorTimes[0] * next[0], kSectorTimes[1] * next[1]};
@@ -67,7 +67,7 @@ class TwoRadars : public ::testing::Test {
   RadarInputs inputs{listener,
                      {usualTopics("a"), usualTopics("b")},
                      RadarInputs::Options(),
-                     [this](std::size_t i, tws::RadarSector sector) { given[i].push_back(sector.running); },
+                     [this](std::size_t i, const tws::RadarSector& sector) { given[i].push_back(sector.running); },
                      [this](double) {
                        ++new_runs;
                        given[0].clear();

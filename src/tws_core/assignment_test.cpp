@@ -106,7 +106,8 @@ Problem randomProblem(std::mt19937_64& generator, std::size_t rows, std::size_t 
 
 void expectOptimal(AssignmentSolver& solver, const Problem& problem) {
   const Outcome best = bruteForce(problem);
-  const double value = best.cost - (problem.miss_cost < kForbidden ? best.pairs * problem.miss_cost : 0.0);
+  const double value =
+      best.cost - (problem.miss_cost < kForbidden ? static_cast<double>(best.pairs) * problem.miss_cost : 0.0);
   for (const bool sparse : {false, true}) {
     const Outcome ours =
         outcomeOf(problem, sparse ? solver.solve(allowed(problem), problem.rows, problem.columns, problem.miss_cost)

@@ -40,7 +40,7 @@ NodeParams readNodeParams(Bus& bus) {
 }
 
 // Reports that wait for the radar's site: two turns.
-constexpr std::size_t kMostWaiting = 2 * tws::kSectors;
+constexpr std::size_t kMostWaiting = 2 * std::size_t{tws::kSectors};
 
 }  // namespace
 

@@ -26,7 +26,7 @@ struct Options {
 
 /// The folder that holds this package's config, in the source or the install space.
 std::string packagePath() {
-  const std::string path = ros::package::getPath("track_evaluation");
+  std::string path = ros::package::getPath("track_evaluation");
   if (path.empty())
     throw std::runtime_error("package track_evaluation is not found: source setup.bash, or name the files");
   return path;

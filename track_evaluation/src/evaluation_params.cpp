@@ -4,6 +4,7 @@
 #include <tws_runtime/track_writer.h>
 
 #include <algorithm>
+#include <iterator>
 
 #include "requirements_reader.h"
 
@@ -16,7 +17,7 @@ std::vector<std::uint8_t> readKinds(ParameterReader& reader, const std::string& 
                                     const std::vector<std::uint8_t>& usual) {
   static const std::vector<std::string> kNames{"aircraft", "ship", "clutter", "slow_mover"};  // as in TruthTarget
   std::vector<std::string> words;
-  for (const std::uint8_t kind : usual) words.push_back(kNames.at(kind));
+  std::transform(usual.begin(), usual.end(), std::back_inserter(words), [](auto kind) { return kNames.at(kind); });
   reader.texts(key, words);
   std::vector<std::uint8_t> kinds;
   for (const std::string& word : words) {
