@@ -245,12 +245,13 @@ TEST_F(AditRostest, TimeThatGoesBackBeginsANewRun) {
   const std::size_t before = heard_.size();
   for (Radar& radar : radars_) radar.running = radar.count = 0;
   for (Radar& radar : radars_) publishMark(radar, 0);
-  for (int sector = 0; sector < 200; ++sector) {
+  for (int sector = 0; sector < 400; ++sector) {
     publishSector(radars_[0].time(radars_[0].running) <= radars_[1].time(radars_[1].running) ? radars_[0] : radars_[1]);
     const auto again = static_cast<std::size_t>(sector);
     // The run is new when several messages of both radars over a second agree; what was held back comes then.
     ASSERT_TRUE(waitFor([&] { return heard_.size() - before + 60 >= again; }));
   }
+  ASSERT_TRUE(waitFor([&] { return heard_.size() - before + 15 >= 400; })) << "nothing of the new run is lost";
   // Some words of the old run may have come only now.
   const auto anew = std::find_if(heard_.begin() + static_cast<std::ptrdiff_t>(before), heard_.end(),
                                  [](const auto& message) { return message.header.stamp.toSec() < kStart + 60.0; });
