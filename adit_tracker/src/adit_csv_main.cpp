@@ -10,6 +10,7 @@
 #include <optional>
 #include <utility>
 
+#include <tws_core/csv_table.h>
 #include <tws_core/rotation.h>
 #include <tws_core/units.h>
 
@@ -183,10 +184,11 @@ class Run {
 };
 
 void run(const Options& options) {
-  std::ifstream input(options.detections);
-  if (!input) throw std::runtime_error(options.detections + ": cannot be read");
-  PlotTable table = readPlots(input, options.detections);
+  PlotTable table = readPlots(*tws::openText(options.detections), options.detections);
   for (const std::string& complaint : table.complaints) std::cerr << complaint << '\n';
+  if (table.midnights > 0)
+    std::cerr << options.detections << ": times of day pass midnight " << table.midnights
+              << (table.midnights == 1 ? " time" : " times") << " and are continued\n";
   if (table.plots == 0) throw std::runtime_error(options.detections + ": holds no usable plot");
   if (std::filesystem::exists(options.tracks) && std::filesystem::equivalent(options.tracks, options.detections)) {
     throw std::runtime_error(options.tracks + ": is the file of plots itself");
@@ -211,7 +213,7 @@ std::string epochsProblem(const std::string& text) {
 
 /// Exit status when there is nothing to run: 0 after --help, 2 after bad usage, said in one line.
 std::optional<int> parse(Options& options, int argc, char** argv) {
-  CLI::App app("Tracks the plots of a CSV file (t_s,radar,scan,range_m,az_deg) by the ADIT tracker.", "adit_csv");
+  CLI::App app("Tracks the plots of a CSV file (columns t_s,radar,range_m,az_deg) by the ADIT tracker.", "adit_csv");
   std::vector<std::string> radars;
   app.add_option("--detections", options.detections, "CSV file of plots")->required();
   app.add_option("--tracks", options.tracks, "CSV file to be written")->required();

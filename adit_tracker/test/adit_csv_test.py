@@ -104,7 +104,7 @@ class AditCsv(unittest.TestCase):
         self.assertIn("give --radar a:PERIOD_S:PHASE_DEG", self.refused("--radar", "a"))
         with open(self.detections, "w") as file:
             file.write("time,range\n1,2\n")
-        self.assertIn("plots.csv:1: the header", self.refused())
+        self.assertIn("plots.csv:1: has no column t_s", self.refused())
 
     # If this fails, a slip in a second run destroys the tracks of the first.
     def test_what_cannot_be_done_leaves_the_old_tracks_alone(self):
@@ -181,7 +181,7 @@ class AditCsv(unittest.TestCase):
 
     def test_bad_lines_are_named_and_the_rest_is_used(self):
         _, said = self.track(plots() + ["1,a,0,none,3"])
-        self.assertIn("plots.csv:37: range_m is no number: 'none'", said)
+        self.assertIn("plots.csv:37: range_m 'none' is no number", said)
         self.assertIn("plots used          35", said)
 
     # If this fails, a picture is made from plots that come later: no real-time system could have made it.

@@ -128,12 +128,12 @@ TEST_F(RecordingFile, IsReadWithDosLineEndsToo) {
 
 TEST_F(RecordingFile, IsRefusedWithLineAndReason) {
   const std::string header = "t_s,lat_deg,lon_deg,alt_m\n";
-  EXPECT_NE(complaint("time,lat\n0,0\n").find(":1: expected the header"), std::string::npos);
-  EXPECT_NE(complaint("").find(":1: expected the header"), std::string::npos);
-  EXPECT_NE(complaint(header + "0,48,11,500\n1,48,x,500\n").find(":3: expected four numbers"), std::string::npos);
-  EXPECT_NE(complaint(header + "0,48,11\n").find(":2: expected four numbers"), std::string::npos);
-  EXPECT_NE(complaint(header + "0,48,11,500,9\n").find(":2: expected four numbers"), std::string::npos);
-  EXPECT_NE(complaint(header + "0,48,11,nan\n").find(":2: expected four numbers"), std::string::npos);
+  EXPECT_NE(complaint("time,lat\n0,0\n").find(":1: has no column t_s"), std::string::npos);
+  EXPECT_NE(complaint("").find(":1: is empty"), std::string::npos);
+  EXPECT_NE(complaint(header + "0,48,11,500\n1,48,x,500\n").find(":3: lon_deg 'x' is no number"), std::string::npos);
+  EXPECT_NE(complaint(header + "0,48,11\n").find(":2: alt_m is empty"), std::string::npos);
+  EXPECT_NE(complaint(header + "0,48,11,500,9\n").find(":2: 5 values under 4 column names"), std::string::npos);
+  EXPECT_NE(complaint(header + "0,48,11,nan\n").find(":2: alt_m 'nan' is not finite"), std::string::npos);
   EXPECT_NE(complaint(header + "0,98,11,500\n").find(":2: latitude"), std::string::npos);
   EXPECT_NE(complaint(header + "5,48,11,500\n5,48,11,500\n").find(":3: time does not increase"), std::string::npos);
   EXPECT_THROW(readRecording("/nowhere.csv"), std::runtime_error);

@@ -13,9 +13,9 @@ struct RecordedFix {
   tws::Geodetic place;
 };
 
-/// Reads a CSV with the header `t_s,lat_deg,lon_deg,alt_m`; altitude above the sea. Throws std::runtime_error that
-/// names the file, the line and the reason: cannot be read, wrong header, not four finite numbers, latitude beyond
-/// ±90°, time not increasing.
+/// Reads a table (see tws::CsvTable) with the columns t_s, lat_deg, lon_deg and alt_m; altitude above the sea. Throws
+/// std::runtime_error that names the file, the line and the reason: cannot be read, a column missing, not a finite
+/// number, latitude beyond ±90°, time not increasing.
 std::vector<RecordedFix> readRecording(const std::string& path);
 
 }  // namespace radar_sim

@@ -1,13 +1,16 @@
 #include <tws_runtime/command_line.h>
 
 #include <CLI/CLI.hpp>
+#include <filesystem>
 #include <fstream>
 #include <iomanip>
 #include <iostream>
+#include <map>
 #include <sstream>
 #include <stdexcept>
 
 #include <tws_core/axis_filter.h>
+#include <tws_core/csv_table.h>
 
 namespace {
 
@@ -17,54 +20,85 @@ struct Options {
   std::string in, out;
 };
 
-/// One measurement: its series, time [s] and measured position.
-struct Row {
-  std::string series;
-  double time, measured;
+/// What is known of one series.
+struct Series {
+  double time = 0.0;  // of the newest measurement [s]
+  tws::AxisFilter::State state;
 };
 
-Row rowOf(const std::string& line, const std::string& where) {
-  std::istringstream words(line);
-  Row row{};
-  char comma = ' ';
-  if (!std::getline(words, row.series, ',') || !(words >> row.time >> comma >> row.measured) || comma != ',')
-    throw std::runtime_error(where + ": expected series,t_s,measured, not '" + line + "'");
-  return row;
+/// A value as it must be written so that it is read again as one.
+std::string quoted(const std::string& text) {
+  if (text.find_first_of(",\"") == std::string::npos) return text;
+  std::ostringstream out;
+  out << std::quoted(text, '"', '"');
+  return out.str();
 }
 
-void print(std::ostream& out, const Row& row, const tws::AxisMotion& motion, double predicted) {
-  out << row.series << ',' << row.time << ',' << motion.position << ',' << motion.velocity << ',' << motion.acceleration
-      << ',' << predicted << '\n';
-}
+class Run {
+ public:
+  Run(const Options& options, std::istream& in, std::ostream& out)
+      : filter_(options.filter), noise_(options.noise), table_(in, options.in), out_(out) {
+    out_ << std::setprecision(12) << "series,t_s,position,velocity,acceleration,predicted\n";
+  }
+
+  void go() {
+    const std::size_t series = table_.require("series"), time = table_.require("t_s"),
+                      measured = table_.require("measured");
+    while (table_.next()) {
+      const std::string& name = table_.text(series);
+      if (name.empty()) table_.fail("series is empty");
+      const Estimate estimate = take(name, table_.time(time), table_.number(measured));
+      const tws::AxisMotion& motion = estimate.motion;
+      out_ << quoted(name) << ',' << quoted(table_.text(time)) << ',' << motion.position << ',' << motion.velocity
+           << ',' << motion.acceleration << ',' << estimate.predicted << '\n';
+    }
+  }
+
+ private:
+  struct Estimate {
+    tws::AxisMotion motion;
+    double predicted;  // position
+  };
+
+  Estimate take(const std::string& name, double time, double measured) {
+    const auto [entry, is_new] = series_.try_emplace(name);
+    Series& series = entry->second;
+    double predicted = measured;
+    if (is_new)
+      series.state = filter_.start(measured, noise_);
+    else
+      predicted = update(series, time - series.time, measured);
+    series.time = time;
+    return {tws::AxisFilter::motion(series.state), predicted};
+  }
+
+  /// The position that was predicted.
+  double update(Series& series, double dt, double measured) {
+    try {
+      const double predicted = tws::moved(tws::AxisFilter::motion(series.state), dt).position;
+      filter_.update(series.state, measured - predicted, dt, noise_);
+      return predicted;
+    } catch (const std::invalid_argument& error) {
+      table_.fail(error.what());
+    }
+  }
+
+  tws::AxisFilter filter_;
+  tws::AxisNoise noise_;
+  tws::CsvTable table_;
+  std::ostream& out_;
+  std::map<std::string, Series> series_;
+};
 
 void run(const Options& options) {
-  const tws::AxisFilter filter(options.filter);
-  std::ifstream in(options.in);
+  std::error_code none;
+  if (std::filesystem::equivalent(options.in, options.out, none))
+    throw std::runtime_error(options.out + ": is the file of measurements itself");
+  const std::unique_ptr<std::istream> in = tws::openText(options.in);
   std::ofstream out(options.out);
-  if (!in) throw std::runtime_error(options.in + ": cannot be read");
   if (!out) throw std::runtime_error(options.out + ": cannot be written");
-  out << std::setprecision(12) << "series,t_s,position,velocity,acceleration,predicted\n";
-  std::string line;
-  Row last{};
-  tws::AxisFilter::State state;
-  std::getline(in, line);  // column names
-  for (int number = 2; std::getline(in, line); ++number) {
-    const std::string where = options.in + ":" + std::to_string(number);
-    const Row row = rowOf(line, where);
-    double predicted = row.measured;
-    if (number == 2 || row.series != last.series) {
-      state = filter.start(row.measured, options.noise);
-    } else
-      try {
-        const double dt = row.time - last.time;
-        predicted = tws::moved(tws::AxisFilter::motion(state), dt).position;
-        filter.update(state, row.measured - predicted, dt, options.noise);
-      } catch (const std::invalid_argument& error) {
-        throw std::runtime_error(where + ": " + error.what());
-      }
-    print(out, row, tws::AxisFilter::motion(state), predicted);
-    last = row;
-  }
+  Run(options, *in, out).go();
+  if (!out.flush()) throw std::runtime_error(options.out + ": writing failed");
 }
 
 }  // namespace
@@ -73,9 +107,8 @@ int main(int argc, char** argv) {
   return tws_runtime::guarded("filter_csv", [&] {
     Options options;
     CLI::App app(
-        "Filters series of measured positions, series,t_s,measured, by one of the filters of tws_core; a new name in "
-        "the "
-        "first column starts a new series. Out come series,t_s,position,velocity,acceleration,predicted.",
+        "Filters series of measured positions (a CSV file with the columns series,t_s,measured) by one of the filters "
+        "of tws_core, each series for itself. Out come series,t_s,position,velocity,acceleration,predicted.",
         "filter_csv");
     app.add_option("--in", options.in, "measurements, in order of time")->required()->check(CLI::ExistingFile);
     app.add_option("--out", options.out, "estimates, one line a measurement")->required();

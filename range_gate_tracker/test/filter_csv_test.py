@@ -37,8 +37,21 @@ class FilterCsvTest(unittest.TestCase):
         self.assertEqual([float(row[2]) for row in self.estimates()], [0, 10, 500, 500])
         self.assertEqual([float(row[3]) for row in self.estimates()], [0, 10, 0, 0])
 
+    def test_series_may_be_interleaved_and_lines_blank(self):
+        done = self.run_on(["a,0,0", "b,0,500", "", "a,1,10", "b,1,500", ""], "--kind", "alpha_beta")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual([float(row[2]) for row in self.estimates()], [0, 500, 10, 500])
+
+    # If this fails, one slip in the command line destroys a user's measurements.
+    def test_the_input_is_never_the_output(self):
+        self.target = self.source
+        done = self.run_on(["a,0,0"])
+        self.assertEqual((done.returncode, self.source.read_text()), (1, "series,t_s,measured\na,0,0\n"))
+        self.assertIn("is the file of measurements itself", done.stderr)
+
     def test_what_cannot_be_used_is_named_with_its_line(self):
-        for line, words in (("a,2,nan", "in.csv:4"), ("a,2", "in.csv:4"), ("a,0.5,1", "dt is -0.5"), ("", "in.csv:4")):
+        for line, words in (("a,2,nan", "in.csv:4"), ("a,2", "in.csv:4"), ("a,0.5,1", "dt is -0.5"), (",2,2", "series is empty"),
+                            ("a,2,x", "measured 'x'")):
             done = self.run_on(["a,0,0", "a,1,1", line, "a,3,3"])
             self.assertEqual(done.returncode, 1, line)
             self.assertIn(words, done.stderr)

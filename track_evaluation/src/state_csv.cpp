@@ -1,12 +1,13 @@
 #include "state_csv.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
-#include <fstream>
 #include <map>
+#include <set>
 #include <stdexcept>
 
-#include "csv_table.h"
+#include <tws_core/csv_table.h>
 
 namespace track_evaluation {
 namespace {
@@ -59,32 +60,84 @@ void addResampled(std::map<double, Epoch>& epochs, const std::vector<CsvState>& 
   }
 }
 
+struct Columns {
+  explicit Columns(const tws::CsvTable& table)
+      : time(table.require("t_s")),
+        id(idColumn(table)),
+        x(table.require("x_m")),
+        y(table.require("y_m")),
+        vx(table.find("vx_mps")),
+        vy(table.find("vy_mps")),
+        status(table.find("status")) {}
+
+  static std::size_t idColumn(const tws::CsvTable& table) {
+    for (const char* name : {"id", "track_id", "truth_id"})
+      if (const std::size_t place = table.find(name); place < table.columns()) return place;
+    return table.require("id");
+  }
+
+  std::size_t time, id, x, y, vx, vy, status;
+};
+
+CsvState stateOf(const tws::CsvTable& table, const Columns& columns) {
+  CsvState state;
+  state.time = std::round(table.time(columns.time) * 1e4) / 1e4;
+  state.state.position = {table.number(columns.x), table.number(columns.y)};
+  state.state.velocity = {table.numberOrUnknown(columns.vx), table.numberOrUnknown(columns.vy)};
+  state.coasting = table.text(columns.status) == "coasting";
+  return state;
+}
+
+std::string idOf(const tws::CsvTable& table, std::size_t column) {
+  if (table.text(column).empty()) table.fail("the id is empty");
+  return table.text(column);
+}
+
+/// The number that an id is written as; nothing: it is another text.
+std::optional<std::uint32_t> asNumber(const std::string& id) {
+  std::uint32_t number = 0;
+  const auto [end, error] = std::from_chars(id.data(), id.data() + id.size(), number);
+  if (error != std::errc() || end != id.data() + id.size()) return std::nullopt;
+  return number;
+}
+
+/// Ids that are numbers keep theirs; other texts get those that are free, in order of their appearance.
+void number(std::vector<CsvState>& states, const std::vector<std::string>& ids) {
+  std::set<std::uint32_t> used;
+  for (const std::string& id : ids)
+    if (const auto own = asNumber(id)) used.insert(*own);
+  std::map<std::string, std::uint32_t> given;
+  std::uint32_t next = 0;
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    const auto own = asNumber(ids[i]);
+    const auto [entry, is_new] = given.try_emplace(ids[i], own.value_or(0));
+    if (is_new && !own) {
+      do ++next;
+      while (used.count(next) > 0);
+      entry->second = next;
+    }
+    states[i].id = entry->second;
+  }
+}
+
 }  // namespace
 
 std::vector<CsvState> readStates(std::istream& input, const std::string& name) {
-  CsvTable table(input, name);
-  if (table.columns() < 4) table.fail("wants columns t_s,id,x_m,y_m[,vx_mps,vy_mps]");
-  const std::size_t status = table.find("status");
-  const bool fast = table.columns() >= 6;
+  tws::CsvTable table(input, name);
+  const Columns columns(table);
   std::vector<CsvState> states;
+  std::vector<std::string> ids;
   while (table.next()) {
-    if (status < table.columns() && table.text(status) == "tentative") continue;
-    CsvState& state = states.emplace_back();
-    state.time = std::round(table.number(0) * 1e4) / 1e4;
-    state.id = table.whole(1);
-    state.state.position = {table.number(2), table.number(3)};
-    state.state.velocity = {fast ? table.number(4) : kUnknown, fast ? table.number(5) : kUnknown};
-    state.coasting = status < table.columns() && table.text(status) == "coasting";
+    if (table.text(columns.status) == "tentative") continue;
+    states.push_back(stateOf(table, columns));
+    ids.push_back(idOf(table, columns.id));
   }
+  number(states, ids);
   std::stable_sort(states.begin(), states.end(), [](const auto& a, const auto& b) { return a.time < b.time; });
   return states;
 }
 
-std::vector<CsvState> readStateFile(const std::string& path) {
-  std::ifstream file(path);
-  if (!file) throw std::runtime_error(path + ": cannot be read");
-  return readStates(file, path);
-}
+std::vector<CsvState> readStateFile(const std::string& path) { return readStates(*tws::openText(path), path); }
 
 std::vector<Epoch> epochsOf(const std::vector<CsvState>& truth, const std::vector<CsvState>& tracks,
                             std::optional<double> resample_age) {

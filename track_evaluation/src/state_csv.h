@@ -9,7 +9,7 @@
 
 namespace track_evaluation {
 
-/// One row `t_s,id,x_m,y_m[,vx_mps,vy_mps]` of a file of truth or tracks.
+/// One row of a file of truth or tracks.
 struct CsvState {
   double time = 0.0;  ///< [s], rounded to 0.1 ms: what is equal then belongs to one epoch
   std::uint32_t id = 0;
@@ -17,9 +17,10 @@ struct CsvState {
   bool coasting = false;  ///< Its status says so: no detection stands behind this row.
 };
 
-/// Reads such a file: a line of column names, then rows; the first six columns count. Rows whose column `status` says
-/// tentative are left out. In order of time, rows of one time in the order of the file. Throws std::runtime_error with
-/// `name`, line and reason.
+/// Reads a table (see tws::CsvTable) with the columns t_s, x_m, y_m and one of id, track_id, truth_id. Further columns
+/// vx_mps and vy_mps may be empty: unknown. Any text is an id: what is a whole number keeps it, others are numbered.
+/// Rows whose column `status` says tentative are left out. In order of time, rows of one time in the order of the file.
+/// Throws std::runtime_error with `name`, line and reason.
 std::vector<CsvState> readStates(std::istream& input, const std::string& name);
 /// Throws also when the file cannot be opened.
 std::vector<CsvState> readStateFile(const std::string& path);

@@ -6,14 +6,11 @@
 #include <cstdio>
 #include <cstring>
 #include <fstream>
-#include <istream>
 #include <ostream>
 #include <stdexcept>
-#include <utility>
 
+#include <tws_core/csv_table.h>
 #include <tws_core/units.h>
-
-#include "io/csv_fields.h"
 
 namespace adit_tracker {
 namespace {
@@ -23,19 +20,21 @@ constexpr const char* kAllRadars = "*";  // cannot be the name of one: names are
 constexpr double kRangeSteps = 10.0;     // of the file, in a metre
 constexpr double kAzimuthSteps = 1e4;    // in a degree
 
-ClutterPlace placeOf(std::string_view line) {
-  std::string_view fields[3];
-  if (!splitFields(line, fields) || std::count(line.begin(), line.end(), ',') != 2)
-    throw std::runtime_error(std::string("has not the three columns ") + kHeader);
-  if (fields[0].empty()) throw std::runtime_error("radar is empty; * stands for all radars");
+struct Columns {
+  explicit Columns(const tws::CsvTable& table)
+      : radar(table.require("radar")), range(table.require("range_m")), azimuth(table.require("az_deg")) {}
+  std::size_t radar, range, azimuth;
+};
+
+ClutterPlace placeOf(const tws::CsvTable& table, const Columns& columns) {
+  const std::string& radar = table.text(columns.radar);
+  if (radar.empty()) table.fail("radar is empty; * stands for all radars");
   ClutterPlace place;
-  if (fields[0] != kAllRadars) place.radar = fields[0];
-  place.range = numberIn(fields[1], "range_m");
-  place.azimuth = tws::radians(numberIn(fields[2], "az_deg"));
+  if (radar != kAllRadars) place.radar = radar;
+  place.range = table.number(columns.range);
+  place.azimuth = tws::radians(table.number(columns.azimuth));
   return place;
 }
-
-bool isComment(std::string_view line) { return line.empty() || line.front() == '#'; }
 
 [[noreturn]] void fail(const std::string& path, const char* what) {
   throw std::runtime_error(path + ": " + what + ": " + std::strerror(errno));
@@ -44,28 +43,13 @@ bool isComment(std::string_view line) { return line.empty() || line.front() == '
 }  // namespace
 
 std::vector<ClutterPlace> readClutter(std::istream& input, const std::string& name, ClutterLimits limits) {
+  tws::CsvTable table(input, name);
+  const Columns columns(table);
   std::vector<ClutterPlace> places;
-  bool in_body = false;
-  std::string line;
-  for (std::size_t number = 1; std::getline(input, line); ++number) {
-    const auto refuse = [&](const std::string& reason) {
-      throw std::runtime_error((name + ':' + std::to_string(number)).append(": ").append(reason));
-    };
-    const std::string_view text = trimmed(line);
-    if (isComment(text)) continue;
-    if (!std::exchange(in_body, true)) {
-      if (text != kHeader) refuse(std::string("the first line must be the header ") + kHeader);
-      continue;
-    }
-    try {
-      places.push_back(placeOf(text));
-    } catch (const std::runtime_error& error) {
-      refuse(error.what());
-    }
-    if (const std::string problem = limits.add(places.back()); !problem.empty()) refuse(problem);
+  while (table.next()) {
+    places.push_back(placeOf(table, columns));
+    if (const std::string problem = limits.add(places.back()); !problem.empty()) table.fail(problem);
   }
-  if (input.bad()) throw std::runtime_error(name + ": cannot be read");
-  if (!in_body) throw std::runtime_error(name + ": is empty: even a map without points has the header " + kHeader);
   return places;
 }
 
@@ -83,9 +67,7 @@ void writeClutter(std::ostream& output, const std::vector<ClutterPlace>& places)
 }
 
 std::vector<ClutterPlace> loadClutterFile(const std::string& path, const ClutterLimits& limits) {
-  std::ifstream input(path);
-  if (!input) fail(path, "cannot be read");
-  return readClutter(input, path, limits);
+  return readClutter(*tws::openText(path), path, limits);
 }
 
 void saveClutterFile(const std::string& path, const std::vector<ClutterPlace>& places) {

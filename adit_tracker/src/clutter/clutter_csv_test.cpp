@@ -68,24 +68,24 @@ TEST_P(MalformedClutter, IsRefusedByFileLineAndReason) {
 }
 
 constexpr BadFile kBadFiles[] = {
-    {"", " is empty: even a map without points has the header radar,range_m,az_deg"},
-    {"# only words\n", " is empty: even a map without points has the header radar,range_m,az_deg"},
-    {"sps12,1000,10\n", "1: the first line must be the header radar,range_m,az_deg"},
-    {"radar,range_m,az_rad\n", "1: the first line must be the header radar,range_m,az_deg"},
-    {"radar,range_m,az_deg\nsps12,1000,10\nsps12,1000\n", "3: has not the three columns radar,range_m,az_deg"},
-    {"radar,range_m,az_deg\nsps12,1000,10,4\n", "2: has not the three columns radar,range_m,az_deg"},
+    {"", "1: is empty: the first line must name the columns"},
+    {"# only words\n", "1: is empty: the first line must name the columns"},
+    {"sps12,1000,10\n", "1: has no column radar (its columns are sps12,1000,10)"},
+    {"radar,range_m,az_rad\n", "1: has no column az_deg (its columns are radar,range_m,az_rad)"},
+    {"radar,range_m,az_deg\nsps12,1000,10\nsps12,1000\n", "3: az_deg is empty"},
+    {"radar,range_m,az_deg\nsps12,1000,10,4\n", "2: 4 values under 3 column names"},
     {"radar,range_m,az_deg\n,1000,10\n", "2: radar is empty; * stands for all radars"},
     {"radar,range_m,az_deg\nsps10,1000,10\n", "2: there is no radar 'sps10'"},
-    {"radar,range_m,az_deg\nsps12,nan,10\n", "2: range_m is not finite"},
-    {"radar,range_m,az_deg\nsps12,inf,10\n", "2: range_m is not finite"},
+    {"radar,range_m,az_deg\nsps12,nan,10\n", "2: range_m 'nan' is not finite"},
+    {"radar,range_m,az_deg\nsps12,inf,10\n", "2: range_m 'inf' is not finite"},
     {"radar,range_m,az_deg\nsps12,-5,10\n", "2: range_m is not in (0, 1e7]: -5"},
     {"radar,range_m,az_deg\nsps12,0,10\n", "2: range_m is not in (0, 1e7]: 0"},
     {"radar,range_m,az_deg\nsps12,10000001,10\n", "2: range_m is not in (0, 1e7]: 10000001"},
     {"radar,range_m,az_deg\nsps12,1000,360\n", "2: az_deg is not in [0, 360): 360"},
     {"radar,range_m,az_deg\nsps12,1000,-1\n", "2: az_deg is not in [0, 360): -1"},
-    {"radar,range_m,az_deg\nsps12,1000,NaN\n", "2: az_deg is not finite"},
-    {"radar,range_m,az_deg\nsps12,1e3x,1\n", "2: range_m is no number: '1e3x'"},
-    {"radar,range_m,az_deg\nsps12,,1\n", "2: range_m is no number: ''"},
+    {"radar,range_m,az_deg\nsps12,1000,NaN\n", "2: az_deg 'NaN' is not finite"},
+    {"radar,range_m,az_deg\nsps12,1e3x,1\n", "2: range_m '1e3x' is no number"},
+    {"radar,range_m,az_deg\nsps12,,1\n", "2: range_m is empty"},
 };
 INSTANTIATE_TEST_SUITE_P(Files, MalformedClutter, testing::ValuesIn(kBadFiles));
 
@@ -196,7 +196,7 @@ TEST_F(ClutterFile, ThatCannotBeWrittenOrReadIsNamed) {
             nowhere + ": cannot be read: No such file or directory");
   EXPECT_EQ(complaint([&] { saveClutterFile(folder_, {}); }), folder_.string() + ": cannot be written: Is a directory");
   EXPECT_FALSE(std::filesystem::exists(folder_.string() + ".part"));
-  EXPECT_EQ(complaint([&] { loadClutterFile(folder_, limits()); }), folder_.string() + ": cannot be read");
+  EXPECT_EQ(complaint([&] { loadClutterFile(folder_, limits()); }), folder_.string() + ": is a folder");
 }
 
 }  // namespace

@@ -3,81 +3,52 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <istream>
 #include <stdexcept>
-#include <string_view>
 
 #include <tws_core/angles.h>
+#include <tws_core/csv_table.h>
 #include <tws_core/units.h>
-
-#include "io/csv_fields.h"
 
 namespace adit_tracker {
 namespace {
 
-constexpr std::size_t kColumns = 5;
 constexpr std::size_t kMostComplaints = 10;
 constexpr double kGreatestTime = 1e10;        // [s]: the year 2286
 constexpr double kLongestPause = 600.0;       // within a stretch of plots [s]
 constexpr std::size_t kFewestPlots = 3;       // of a stretch: fewer make no track
 constexpr double kFarthest = 30.0 * 86400.0;  // from the longest stretch [s]
-constexpr const char* kHeader[kColumns] = {"t_s", "radar", "scan", "range_m", "az_deg"};
 
-/// The n-th column of a line; empty when it has fewer.
-std::string_view columnOf(std::string_view line, std::size_t n) {
-  for (; n > 0 && line.data() != nullptr; --n) {
-    const auto comma = line.find(',');
-    line = comma == std::string_view::npos ? std::string_view{} : line.substr(comma + 1);
-  }
-  return line.data() == nullptr ? line : trimmed(line.substr(0, line.find(',')));
-}
-
-tws::Plot plotOf(const std::string_view (&columns)[kColumns]) {
-  tws::Plot plot;
-  plot.time = numberIn(columns[0], kHeader[0]);
-  plot.range = numberIn(columns[3], kHeader[3]);
-  plot.azimuth = tws::wrapTwoPi(tws::radians(numberIn(columns[4], kHeader[4])));
-  if (std::abs(plot.time) > kGreatestTime) {
-    throw std::runtime_error("t_s is beyond 1e10 s: " + std::string(columns[0]));
-  }
-  if (plot.range <= 0.0) throw std::runtime_error("range_m is not positive: " + std::string(columns[3]));
-  if (columns[1].empty()) throw std::runtime_error("radar is empty");
-  return plot;
-}
-
-/// Where the header has columns that need not be there; 0: nowhere.
-struct FurtherColumns {
-  std::size_t elevation = 0, elevation_sigma = 0;
+/// Where the columns are; those that need not be there are columns() of the table when they are not.
+struct Columns {
+  explicit Columns(const tws::CsvTable& table)
+      : time(table.require("t_s")),
+        radar(table.require("radar")),
+        range(table.require("range_m")),
+        azimuth(table.require("az_deg")),
+        elevation(table.find("el_deg")),
+        elevation_sigma(table.find("el_sigma_deg")) {}
+  std::size_t time, radar, range, azimuth, elevation, elevation_sigma;
 };
 
-FurtherColumns furtherColumns(const std::string& header) {
-  FurtherColumns columns;
-  const auto count = static_cast<std::size_t>(std::count(header.begin(), header.end(), ',')) + 1;
-  for (std::size_t i = kColumns; i < count; ++i) {
-    if (columnOf(header, i) == "el_deg") columns.elevation = i;
-    if (columnOf(header, i) == "el_sigma_deg") columns.elevation_sigma = i;
-  }
-  return columns;
+/// NaN when it is not there. Throws the reason.
+double angleBetween(const tws::CsvTable& table, std::size_t column, const char* name, double least, double greatest) {
+  const double degrees = table.numberOrUnknown(column);
+  if (degrees < least || degrees > greatest) table.fail(std::string(name) + " is out of range: " + table.text(column));
+  return tws::radians(degrees);
 }
 
-/// Throws the reason.
-void readFurther(std::string_view line, const FurtherColumns& columns, tws::Plot& plot) {
-  const auto read = [&](std::size_t column, const char* name, double least, double greatest, double& value) {
-    const std::string_view text = column == 0 ? std::string_view{} : columnOf(line, column);
-    if (text.empty()) return;
-    const double degrees = numberIn(text, name);
-    if (degrees < least || degrees > greatest)
-      throw std::runtime_error(std::string(name) + " is out of range: " + std::string(text));
-    value = tws::radians(degrees);
-  };
-  read(columns.elevation, "el_deg", -90.0, 90.0, plot.elevation);
-  read(columns.elevation_sigma, "el_sigma_deg", 0.0, 90.0, plot.elevation_sigma);
-}
-
-void checkHeader(const std::string& line, const std::string& name) {
-  std::string_view columns[kColumns];
-  const bool good = splitFields(line, columns) && std::equal(columns, columns + kColumns, kHeader);
-  if (!good) throw std::runtime_error(name + ":1: the header must begin with t_s,radar,scan,range_m,az_deg");
+tws::Plot plotOf(const tws::CsvTable& table, const Columns& columns) {
+  tws::Plot plot;
+  plot.time = table.time(columns.time);
+  if (std::abs(plot.time) > kGreatestTime)
+    table.fail("t_s is beyond 1e10 s: " + table.text(columns.time) + " (it counts seconds, not milliseconds)");
+  plot.range = table.number(columns.range);
+  if (plot.range <= 0.0) table.fail("range_m is not positive: " + table.text(columns.range));
+  plot.azimuth = tws::wrapTwoPi(tws::radians(table.number(columns.azimuth)));
+  if (table.text(columns.radar).empty()) table.fail("radar is empty");
+  plot.elevation = angleBetween(table, columns.elevation, "el_deg", -90.0, 90.0);
+  plot.elevation_sigma = angleBetween(table, columns.elevation_sigma, "el_sigma_deg", 0.0, 90.0);
+  return plot;
 }
 
 struct Line {
@@ -103,20 +74,20 @@ std::vector<Stretch> stretchesOf(const std::vector<Line>& lines) {
 
 class Reader {
  public:
-  Reader(std::string name, const FurtherColumns& further) : name_(std::move(name)), further_(further) {
-    table_.has_elevations = further.elevation > 0;
+  Reader(std::istream& input, std::string name) : name_(std::move(name)), csv_(input, name_), columns_(csv_) {
+    table_.has_elevations = columns_.elevation < csv_.columns();
   }
 
-  void read(std::size_t number, std::string_view text) {
-    try {
-      std::string_view columns[kColumns];
-      if (!splitFields(text, columns)) throw std::runtime_error("has fewer than five columns");
-      tws::Plot plot = plotOf(columns);
-      readFurther(text, further_, plot);
-      lines_.push_back({number, std::string(columns[1]), plot});
-    } catch (const std::runtime_error& error) {
-      refuse(number, error.what());
-    }
+  void read() {
+    while (true) try {
+        if (!csv_.next()) return;
+        tws::Plot plot = plotOf(csv_, columns_);
+        const std::string& radar = csv_.text(columns_.radar);
+        plot.time = days_[radar].continued(plot.time);
+        lines_.push_back({csv_.line(), radar, plot});
+      } catch (const std::runtime_error& error) {
+        refuse(error.what());
+      }
   }
 
   PlotTable table() {
@@ -132,6 +103,7 @@ class Reader {
       for (std::size_t i = stretch->first; i < stretch->last; ++i)
         mistaken ? refuseTime(lines_[i], gap) : take(lines_[i]);
     }
+    for (const auto& [radar, days] : days_) table_.midnights = std::max(table_.midnights, days.midnights());
     return std::move(table_);
   }
 
@@ -143,20 +115,21 @@ class Reader {
     ++table_.plots;
   }
 
-  void refuse(std::size_t number, const std::string& reason) {
+  void refuse(const std::string& complaint) {
     ++table_.refused;
-    if (table_.complaints.size() >= kMostComplaints) return;
-    table_.complaints.push_back(name_ + ":" + std::to_string(number) + ": " + reason);
+    if (table_.complaints.size() < kMostComplaints) table_.complaints.push_back(complaint);
   }
 
   void refuseTime(const Line& line, double gap) {
     char text[100];
     std::snprintf(text, sizeof text, "t_s lies %.0f s from most other plots: %.10g", gap, line.plot.time);
-    refuse(line.number, text);
+    refuse(name_ + ":" + std::to_string(line.number) + ": " + text);
   }
 
   std::string name_;
-  FurtherColumns further_;
+  tws::CsvTable csv_;
+  Columns columns_;
+  std::map<std::string, tws::DayCount> days_;  // by radar
   std::vector<Line> lines_;
   PlotTable table_;
 };
@@ -164,13 +137,8 @@ class Reader {
 }  // namespace
 
 PlotTable readPlots(std::istream& input, const std::string& name) {
-  std::string line;
-  std::getline(input, line);
-  checkHeader(line, name);
-  Reader reader(name, furtherColumns(line));
-  for (std::size_t number = 2; std::getline(input, line); ++number) {
-    if (!trimmed(line).empty()) reader.read(number, line);
-  }
+  Reader reader(input, name);
+  reader.read();
   return reader.table();
 }
 
