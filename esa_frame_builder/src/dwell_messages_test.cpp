@@ -61,7 +61,8 @@ TEST(DwellMessages, ADwellSurvivesTheWayThroughItsMessage) {
 TEST(DwellMessages, EachFaultOfADwellHasItsOwnCounter) {
   EXPECT_EQ(counterOf([](auto&) {}), "");
   EXPECT_EQ(counterOf([](auto& dwell) { dwell.measurements.clear(); }), "") << "a dwell that saw nothing is normal";
-  EXPECT_EQ(counterOf([](auto& dwell) { dwell.dwell_group_indices = {4000000000U}; }), "") << "so is a track long gone";
+  EXPECT_EQ(counterOf([](auto& dwell) { dwell.dwell_group_indices = {4000000000U}; }), "")
+      << "so is a track long deleted";
   EXPECT_EQ(counterOf([](auto& dwell) { dwell.u = kNaN; }), "dwells with NaN");
   EXPECT_EQ(counterOf([](auto& dwell) { dwell.beamwidth_v = kNaN; }), "dwells with NaN");
   EXPECT_EQ(counterOf([](auto& dwell) { dwell.range_max = kNaN; }), "dwells with NaN");

@@ -58,7 +58,7 @@ TEST_F(FrameBuilderNodeTest, SendsNoPartialFramesWhenToldSo) {
   EXPECT_EQ(framesOf(tws_msgs::Frame::HEARTBEAT).size(), 1U);
 }
 
-// If this fails, one bad dwell spoils the frame it would have been in, or nobody hears of it.
+// If this fails, one bad dwell spoils the frame it would have been in, or nobody is told of it.
 TEST_F(FrameBuilderNodeTest, CountsEachKindOfBadDwellAndKeepsTheFrameIntact) {
   start();
   tws_msgs::DwellReports bad = report(0.1, sweep(0.0, 10));

@@ -24,7 +24,7 @@ class FrameWindow {
   }
   /// An early look at a frame that is open since the last shift.
   void look(Frame partial) { open_.push_back(std::move(partial)); }
-  /// What was open is told anew.
+  /// What was open is reported anew.
   void clearOpen() { open_.clear(); }
 
   const std::deque<Frame>& closed() const { return closed_; }  // the newest first

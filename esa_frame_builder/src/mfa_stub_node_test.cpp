@@ -103,7 +103,7 @@ TEST_F(MfaStubNodeTest, OneStrayStampLosesNoTrack) {
   EXPECT_EQ(tracks_.back().tracks[0].uid, tracks_[10].tracks[0].uid);
 }
 
-// If this fails, nobody hears that a frame builder sends nonsense, or one bad frame costs the good ones.
+// If this fails, nobody is told that a frame builder sends nonsense, or one bad frame costs the good ones.
 TEST_F(MfaStubNodeTest, CountsFramesThatBreakTheRulesAndGoesOn) {
   tracker_ = std::make_unique<MfaStubNode>(graph_.addNode("mfa_stub"));
   placeArray();

@@ -15,7 +15,7 @@ struct MfaStubParams {
   double extraneous_density = 1e-10;      // measurements of no track, a frame [1/m³]
   double false_alarm_probability = 1e-6;  // of the radar, from which and from the SNR the detection probability follows
   double least_detection_probability = 0.05;  // less: out of view
-  double range_resolution = 30.0;             // echoes of one dwell closer in range than this merge [m]
+  double range_resolution = 30.0;             // plots of one dwell closer in range than this merge [m]
   double drop_score = 16.0;                   // a track is dropped when its score falls so far below its best
   double greatest_coast = 15.0;               // or when it was not seen for so long [s]
   double duplicate_chi2 = 11.3;               // two measurements of a frame so close are one target's

@@ -73,14 +73,14 @@ std::vector<StubTracker::Plot> StubTracker::plotsOf(const Frame& frame) const {
 StubTracker::Reading StubTracker::readingOf(const Scene& scene, std::size_t track, const Plot& plot) const {
   const tws::SpatialState& state = scene.views[track].dwells[plot.dwell].state;
   Reading own{plot.place, tws::innovation(state, plot.place), {}};
-  MergedEcho echo = mergedEcho(track, plot.dwell, scene.tracks, scene.views, params_.range_resolution);
-  if (echo.members.empty()) return own;
-  const tws::SpatialMeasurement part = shareOf(echo, plot.place, state);
-  // The echo's place is predicted with the covariance that is already in `part`.
+  MergedPlot merged = mergedPlot(track, plot.dwell, scene.tracks, scene.views, params_.range_resolution);
+  if (merged.members.empty()) return own;
+  const tws::SpatialMeasurement part = memberMeasurement(merged, plot.place, state);
+  // The place of the merged plot is predicted with the covariance that is already in `part`.
   tws::SpatialState centre;
   centre.mean.head<3>() = state.mean.head<3>();
-  Reading merged{part, tws::innovation(centre, part), std::move(echo)};
-  return logLikelihood(merged.innovation) > logLikelihood(own.innovation) ? merged : own;
+  Reading shared{part, tws::innovation(centre, part), std::move(merged)};
+  return logLikelihood(shared.innovation) > logLikelihood(own.innovation) ? shared : own;
 }
 
 std::vector<bool> StubTracker::update(std::vector<Kept>& tracks, const Scene& scene,
@@ -135,19 +135,19 @@ std::vector<StubTracker::Taken> StubTracker::take(const Scene& scene, const std:
   return taken;
 }
 
-// The other members of a shared echo that have no plot of their own take part in it, unless they cannot be told from
+// The other members of a merged plot that have no plot of their own take part in it, unless they cannot be told from
 // the giver: then they are one target's tracks, and one of them has to go.
 void StubTracker::share(const Scene& scene, std::size_t giver, std::vector<Taken>& taken) const {
   const Plot& plot = scene.plots[*taken[giver].plot];
-  const MergedEcho& echo = taken[giver].reading.echo;
+  const MergedPlot& merged = taken[giver].reading.merged;
   const tws::SpatialState& from = scene.views[giver].dwells[plot.dwell].state;
-  for (const std::size_t i : echo.members) {
+  for (const std::size_t i : merged.members) {
     if (taken[i].plot) continue;
     const tws::SpatialState& state = scene.views[i].dwells[plot.dwell].state;
     const tws::SpatialMeasurement other{from.mean.head<3>(), from.covariance.topLeftCorner<3, 3>()};
     if (tws::innovation(state, other).nis <= params_.duplicate_chi2) continue;
     taken[i].plot = taken[giver].plot;
-    taken[i].reading.measurement = shareOf(echo, plot.place, state);
+    taken[i].reading.measurement = memberMeasurement(merged, plot.place, state);
   }
 }
 
@@ -163,7 +163,7 @@ void StubTracker::see(Kept& kept, const FrameView& view, const Plot& plot, const
       std::log(std::max(view.detection_probability, params_.least_detection_probability) / params_.extraneous_density);
   kept.best_score = std::max(kept.best_score, track.score);
   ++kept.hits;
-  if (taken.reading.echo.members.empty()) track.snr += (plot.snr - track.snr) / std::min(kept.hits, 10);
+  if (taken.reading.merged.members.empty()) track.snr += (plot.snr - track.snr) / std::min(kept.hits, 10);
 }
 
 // The update shows the track where it should have been seen; the track itself stays at its last update.

@@ -7,13 +7,13 @@
 #include "array_pose.h"
 #include "frame_tracker.h"
 #include "frame_view.h"
-#include "merged_echo.h"
+#include "merged_plot.h"
 #include "mfa_stub_params.h"
 
 namespace esa_frame_builder {
 
 /// A frame tracker that decides about each frame as it closes: optimal assignment of its measurements to the tracks by
-/// likelihood, with echoes that several tracks share, a constant-velocity Kalman filter in space, and initiation by M
+/// likelihood, with merged plots of several targets, a constant-velocity Kalman filter in space, and initiation by M
 /// measurements in N frames, which counts frames and not time.
 class StubTracker : public FrameTracker {
  public:
@@ -40,11 +40,11 @@ class StubTracker : public FrameTracker {
     std::vector<FrameView> views;
     std::vector<Plot> plots;
   };
-  /// A plot as a track would take it: as its own echo, or as one that it shares.
+  /// A plot as a track would take it: as its own one, or as a merged one.
   struct Reading {
     tws::SpatialMeasurement measurement;
     tws::SpatialInnovation innovation;
-    MergedEcho echo;  // without members: its own
+    MergedPlot merged;  // without members: the track's own plot
   };
   /// What a track takes of a frame: a plot of its own, a share in that of another track, or nothing.
   struct Taken {

@@ -117,9 +117,9 @@ TEST_F(StubTrackerTest, AssignsTheFrameAsAWhole) {
   EXPECT_LT(after.living[1].state.mean[0], 50040.0);
 }
 
-// Two targets 600 m apart across the beam whose ranges cross: for a while one echo is all there is of both. If this
+// Two targets 600 m apart across the beam whose ranges cross: for a while they are unresolved: one merged plot. If this
 // fails, one track of a close pair is dropped whenever they draw level, and another one starts afterwards.
-TEST_F(StubTrackerTest, CarriesTwoTracksThroughTheTimeInWhichTheyShareOneEcho) {
+TEST_F(StubTrackerTest, CarriesTwoTracksThroughTheTimeInWhichTheyAreUnresolved) {
   const auto closeAt = [&](int n) {
     const double time = 0.1 * n, a = 50e3 + 150.0 - 10.0 * time, b = 50e3;
     const double u = 0.006;

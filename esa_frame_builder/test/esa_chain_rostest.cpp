@@ -41,7 +41,7 @@ class Radar {
   }
 
   bool connected() const {
-    for (const ros::Subscriber& ear : ears_)
+    for (const ros::Subscriber& ear : subscribers_)
       if (ear.getNumPublishers() == 0) return false;
     return reports_.getNumSubscribers() > 0 && sites_.getNumSubscribers() > 0;
   }
@@ -71,16 +71,16 @@ class Radar {
 
  private:
   template <class M>
-  void listen(const std::string& topic, std::vector<M>& heard) {
-    const boost::function<void(const boost::shared_ptr<const M>&)> hear = [&heard](const auto& m) {
-      heard.push_back(*m);
+  void listen(const std::string& topic, std::vector<M>& received) {
+    const boost::function<void(const boost::shared_ptr<const M>&)> on_message = [&received](const auto& m) {
+      received.push_back(*m);
     };
-    ears_.push_back(node_.subscribe<M>(topic, kUnbounded, hear));
+    subscribers_.push_back(node_.subscribe<M>(topic, kUnbounded, on_message));
   }
 
   ros::NodeHandle node_;
   ros::Publisher reports_, sites_;
-  std::vector<ros::Subscriber> ears_;
+  std::vector<ros::Subscriber> subscribers_;
 };
 
 // If this fails, the nodes do not close the loop on their topics.
