@@ -1,4 +1,4 @@
-"""Aircraft that fly as one echo: what becomes of their tracks when they part or cross. figures(BAG) -> a dictionary.
+"""Aircraft that fly unresolved, as one plot: what becomes of their tracks when they part or cross. figures(BAG) -> a dictionary.
 
 Groups are aircraft of one name but for what follows its last underscore (wedge_a, wedge_b), as in scenario formation_split. Whether a
 radar sees two of them as one is judged by truth and the cells of the radars that the scenario uses.
@@ -14,7 +14,7 @@ import rosbag
 CELLS = {"sps12": (300.0, math.radians(3.0)), "sps39": (300.0, math.radians(1.5))}
 FIRM, COASTING = 2, 3
 NEAR = 1500.0       # a track that is further off follows another aircraft [m]
-STALE = 9.0         # a track that has not been heard of for so long is gone [s]
+STALE = 9.0         # a track without an update for so long counts as deleted [s]
 ENOUGH = 3          # passes of beams over a pair in one cell, before its parting counts
 AFTER = 0.6         # what a beam has seen is processed by then [s]
 
@@ -47,7 +47,7 @@ class Truth:
         reach, azimuth = self.polar(name, time)
         return reach * math.sin(azimuth), reach * math.cos(azimuth)
 
-    def parted(self, pair, time, radar):
+    def resolved(self, pair, time, radar):
         (r0, a0), (r1, a1) = (self.polar(name, time) for name in pair)
         return abs(r0 - r1) >= CELLS[radar][0] or abs(turn(a0 - a1)) >= CELLS[radar][1]
 
@@ -78,7 +78,7 @@ def read(bag_file):
 
 
 def picture(rows, time):
-    """The believed tracks at that time: uid -> place."""
+    """The confirmed tracks at that time: uid -> place."""
     found = {}
     for uid, history in rows.items():
         i = bisect.bisect_right(history, time, key=lambda row: row[0]) - 1
@@ -104,11 +104,11 @@ def partings(truth, marks):
     """For each pair that parts: names and the passes of beams, from the first one that parts them on."""
     for names in truth.groups().values():
         for pair in itertools.combinations(names, 2):
-            seen = [(time, radar, truth.parted(pair, time, radar)) for time, radar in passes(truth, marks, pair[0])]
+            seen = [(time, radar, truth.resolved(pair, time, radar)) for time, radar in passes(truth, marks, pair[0])]
             merged = 0
-            for i, (_, radar, parted) in enumerate(seen):
+            for i, (_, radar, resolved) in enumerate(seen):
                 later = [apart for _, other, apart in seen[i:] if other == radar][:4]
-                if not parted:
+                if not resolved:
                     merged += 1
                 elif merged >= ENOUGH and len(later) == 4 and all(later):
                     yield pair, [(time, by) for time, by, apart in seen[i:] if apart]

@@ -29,16 +29,16 @@ def fly(runs, scenario, scheme, seed=1, **changes):
     return runs.offline(scenario, "--seed", seed, "--params", f"track_correlator={runs.file('correlator.yaml', parameters)}")
 
 
-def words(bag_file):
-    """(time, word) of all that the correlator says of living tracks."""
+def updates(bag_file):
+    """(time, update) of each living track of the correlator."""
     with rosbag.Bag(str(bag_file)) as bag:
         for _, (_, data, _, _, message_type), _ in bag.read_messages(["/correlated/tracks"], raw=True):
             if len(data) < 150:  # Nothing in it, as in most: a track alone takes more.
                 continue
             message = message_type().deserialize(data)
-            for word in message.tracks:
-                if word.track.state != DROPPED:
-                    yield message.header.stamp.to_sec(), word
+            for update in message.tracks:
+                if update.track.state != DROPPED:
+                    yield message.header.stamp.to_sec(), update
 
 
 # ---- table 1: distance alone against history --------------------------------------------------------------------------------------
@@ -54,14 +54,14 @@ def many_flights(scene, count):
 def miscorrelations(bag_file, start, count):
     """For each target its wrong scans in each flight. The first code that a primary track gets, while far from the others, is its own."""
     wrong, own = [[0] * count for _ in range(3)], {}
-    for time, word in words(bag_file):
+    for time, update in updates(bag_file):
         flight, second = divmod(time - start, SPACING)
-        if word.kind != CORRELATED:
+        if update.kind != CORRELATED:
             continue
-        target = word.track.mode_3a >> 9
-        own.setdefault(word.primary, target)
+        target = update.track.mode_3a >> 9
+        own.setdefault(update.primary, target)
         if 10 <= second < 10 + SCANS:
-            wrong[own[word.primary] - 1][int(flight)] += target != own[word.primary]
+            wrong[own[update.primary] - 1][int(flight)] += target != own[update.primary]
     return wrong
 
 
@@ -150,12 +150,12 @@ def new_identity(runs):
     scene = dict(runs.scenario("bel_three_targets"), targets=[target])
     lines = []
     for scheme, name, document in (("plain", "plain scheme", 7), ("parallel_counter", "parallel counter", 3)):
-        said = list(words(fly(runs, scene, scheme)))
-        number = max(word.secondary for _, word in said if word.secondary != NONE)
-        first = next(time for time, word in said if word.secondary == number)
-        done, joined = next((time, word) for time, word in said
-                            if word.secondary == number and word.kind == CORRELATED and word.track.state != COASTING)
-        before = next(word.identity for time, word in reversed(said) if time < first and word.kind == CORRELATED)
+        said = list(updates(fly(runs, scene, scheme)))
+        number = max(update.secondary for _, update in said if update.secondary != NONE)
+        first = next(time for time, update in said if update.secondary == number)
+        done, joined = next((time, update) for time, update in said
+                            if update.secondary == number and update.kind == CORRELATED and update.track.state != COASTING)
+        before = next(update.identity for time, update in reversed(said) if time < first and update.kind == CORRELATED)
         scans = round((done - first) / scene["radars"][0]["rotation_period_s"]) + 1
         lines.append((f"scans until a new secondary number is correlated: {name}", str(document), str(scans),
                       ("as the paper" if scans == document else "NOT as the paper") +
@@ -173,7 +173,7 @@ def dense(runs, seeds, Sample, verdict):
         return Sample([run[part][metric] for run in measured[scheme]])
 
     lines = []
-    for part, metric, claim, digits in (("correlation", "miscorrelations_per_hour", "words an hour with another aircraft's code", 0),
+    for part, metric, claim, digits in (("correlation", "miscorrelations_per_hour", "updates an hour with another aircraft's code", 0),
                                         ("metrics", "swaps_per_truth_hour", "changes of identity for each aircraft and hour", 2)):
         alone = sample("distance", part, metric)
         for scheme, name in SCHEMES:
@@ -223,5 +223,5 @@ def real_radar(runs):
                       "no truth: aircraft do change their codes"))
     share = kinds[CORRELATED] / sum(kinds.values())
     lines.append(("a real radar: position and codes come back as one track", "no number",
-                  f"{100 * share:.1f} % of {sum(kinds.values())} words", ""))
+                  f"{100 * share:.1f} % of {sum(kinds.values())} updates", ""))
     return lines

@@ -100,10 +100,10 @@ def adaptive_filter(measured, verdict, scene, tracker):
     lines = []
     adaptive = measured("rms_pos_m", scene, tracker)
     limits = tracker["alpha_beta"]
-    for word, omega in (("slow", limits["omega_min"]), ("fast", limits["omega_max"])):
+    for name, omega in (("slow", limits["omega_min"]), ("fast", limits["omega_max"])):
         fixed = changed(tracker, alpha_beta=changed(limits, omega_min=omega, omega_max=omega))
         error = measured("rms_pos_m", scene, fixed)
-        lines.append((f"adaptive bandwidth beats a fixed {word} one ({omega} rad/s)", "no number",
+        lines.append((f"adaptive bandwidth beats a fixed {name} one ({omega} rad/s)", "no number",
                       f"position error {adaptive.in_words('m', digits=0)} against {error.in_words('m', digits=0)}",
                       verdict(error - adaptive)))
     return lines
@@ -153,8 +153,8 @@ def tracks_begun(bag_file, seconds):
     """Tracks that begin on rocks in the first seconds of the run."""
     began, rocks = still_things(bag_file, "rock")
     with rosbag.Bag(str(bag_file)) as bag:
-        words = [w for _, m, _ in bag.read_messages(["/adit/tracks"]) for w in m.tracks]
-    early = [w for w in words if w.first_detection.to_sec() < began + seconds]
+        tracks = [w for _, m, _ in bag.read_messages(["/adit/tracks"]) for w in m.tracks]
+    early = [w for w in tracks if w.first_detection.to_sec() < began + seconds]
     return len({w.uid for w in early if any(distance(r, (w.range, w.azimuth)) < 1000.0 for r in rocks)})
 
 
@@ -239,16 +239,16 @@ def searched_heights(bag_file):
             if topic == "/truth":
                 truth = {t.id: t for t in message.targets}
                 continue
-            for word in message.tracks:
-                if word.detection_bits & word.ELEVATION_REQUESTED:
-                    designated.setdefault(word.uid, message.header.stamp)
-                if math.isnan(word.height):
+            for track in message.tracks:
+                if track.detection_bits & track.ELEVATION_REQUESTED:
+                    designated.setdefault(track.uid, message.header.stamp)
+                if math.isnan(track.height):
                     continue
-                first.setdefault(word.uid, message.header.stamp)
-                near = [t for t in truth.values() if distance((t.slant_range[1], t.azimuth[1]), (word.range, word.azimuth)) < 2000.0]
+                first.setdefault(track.uid, message.header.stamp)
+                near = [t for t in truth.values() if distance((t.slant_range[1], t.azimuth[1]), (track.range, track.azimuth)) < 2000.0]
                 if len(near) == 1:
-                    errors.append(word.height - height_of(near[0]))
-                    within.append(abs(errors[-1]) < 3 * word.height_sigma)
+                    errors.append(track.height - height_of(near[0]))
+                    within.append(abs(errors[-1]) < 3 * track.height_sigma)
     delays = [(first[uid] - begin).to_sec() for uid, begin in designated.items() if uid in first]
     return {"height_error_m": math.sqrt(sum(e * e for e in errors) / len(errors)), "height_within": sum(within) / len(within),
             "first_height_s": sum(delays) / len(delays)}
@@ -272,7 +272,7 @@ def elevation(runs, seeds, Sample, tracker, ours):
 
 
 def bifurcation(runs, seeds, Sample, verdict, ours):
-    """Aircraft that part, cross and fly together as one echo (scenario formation_split), with and without the scheme."""
+    """Aircraft that part, cross and fly together as one plot (scenario formation_split), with and without the scheme."""
     scene = runs.scenario("formation_split")
 
     def measured(metric, on):

@@ -13,7 +13,7 @@ namespace track_evaluation {
 /// honest.
 class Accuracy {
  public:
-  /// NEES only of tracks whose tracker spoke at most `nees_age` [s] before, for the extrapolated covariance holds no
+  /// NEES only of tracks that were updated at most `nees_age` [s] before, for the extrapolated covariance holds no
   /// process noise.
   explicit Accuracy(double nees_age) : nees_age_(nees_age) {}
 

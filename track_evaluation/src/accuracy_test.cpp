@@ -9,7 +9,7 @@
 namespace track_evaluation {
 namespace {
 
-// If one of these fails, a tracker's errors and the honesty of its covariances cannot be told.
+// If one of these fails, a tracker's errors and the honesty of its covariances cannot be measured.
 
 MetricList reported(const Accuracy& accuracy) {
   MetricList metrics;

@@ -19,19 +19,19 @@ double distance(const TruthState& truth, const TrackState& track) {
   return (comparable(truth, track).position - track.state.position).norm();
 }
 
-bool isWrong(const CorrelationMetrics::Word& word, const Pair& pair, const Epoch& epoch) {
-  if (word.mode_3a == pair.truth->mode_3a) return false;
+bool isWrong(const CorrelationMetrics::Update& update, const Pair& pair, const Epoch& epoch) {
+  if (update.mode_3a == pair.truth->mode_3a) return false;
   const double limit = distance(*pair.truth, *pair.track) - kNearer;
   return std::none_of(epoch.truths.begin(), epoch.truths.end(), [&](const TruthState& truth) {
-    return truth.mode_3a == word.mode_3a && distance(truth, *pair.track) < limit;
+    return truth.mode_3a == update.mode_3a && distance(truth, *pair.track) < limit;
   });
 }
 
 }  // namespace
 
-void CorrelationMetrics::add(const Word& word) {
-  words_[static_cast<std::size_t>(word.kind)] += 1.0;
-  if (word.kind == Kind::kCorrelated && word.mode_3a != kCodeUnknown) waiting_.push_back(word);
+void CorrelationMetrics::add(const Update& update) {
+  updates_[static_cast<std::size_t>(update.kind)] += 1.0;
+  if (update.kind == Kind::kCorrelated && update.mode_3a != kCodeUnknown) waiting_.push_back(update);
 }
 
 void CorrelationMetrics::judge(const Epoch& epoch, const std::vector<int>& track_of) {
@@ -43,18 +43,18 @@ void CorrelationMetrics::judge(const Epoch& epoch, const std::vector<int>& track
       const TrackState& track = epoch.tracks[static_cast<std::size_t>(track_of[i])];
       pairs[track.id] = {&epoch.truths[i], &track};
     }
-  for (const Word& word : waiting_) {
-    const auto pair = pairs.find(word.identity);
+  for (const Update& update : waiting_) {
+    const auto pair = pairs.find(update.identity);
     if (pair == pairs.end()) continue;
     judged_ += 1.0;
-    if (isWrong(word, pair->second, epoch)) wrong_ += 1.0;
+    if (isWrong(update, pair->second, epoch)) wrong_ += 1.0;
   }
   waiting_.clear();
 }
 
 MetricList CorrelationMetrics::report() const {
-  const auto of = [&](Kind kind) { return words_[static_cast<std::size_t>(kind)]; };
-  const double all = words_[0] + words_[1] + words_[2];
+  const auto of = [&](Kind kind) { return updates_[static_cast<std::size_t>(kind)]; };
+  const double all = updates_[0] + updates_[1] + updates_[2];
   MetricList metrics{{"words_correlated", of(Kind::kCorrelated)},
                      {"words_primary_only", of(Kind::kPrimaryOnly)},
                      {"words_secondary_only", of(Kind::kSecondaryOnly)},

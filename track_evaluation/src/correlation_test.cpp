@@ -31,7 +31,7 @@ std::map<std::string, double> valuesOf(const CorrelationMetrics& correlation) {
   return {list.begin(), list.end()};
 }
 
-TEST(CorrelationMetrics, CountsTheWordsWithTheCodeOfAnotherAircraft) {
+TEST(CorrelationMetrics, CountsTheUpdatesWithTheCodeOfAnotherAircraft) {
   CorrelationMetrics correlation;
   correlation.judge(epochAt(0.0), kPairs);
   correlation.add({7, Kind::kCorrelated, 04101});
@@ -60,7 +60,7 @@ TEST(CorrelationMetrics, TakesTheCodeOfAnAircraftThatIsNearerByFarForRight) {
   }
 }
 
-TEST(CorrelationMetrics, JudgesNoWordWithoutCodeOrOfAnAircraftWithoutOneOrOfNoAircraft) {
+TEST(CorrelationMetrics, JudgesNoUpdateWithoutCodeOrOfAnAircraftWithoutOneOrOfNoAircraft) {
   CorrelationMetrics correlation;
   correlation.add({7, Kind::kCorrelated, kCodeUnknown});
   correlation.add({8, Kind::kCorrelated, 04103});
@@ -70,7 +70,7 @@ TEST(CorrelationMetrics, JudgesNoWordWithoutCodeOrOfAnAircraftWithoutOneOrOfNoAi
   EXPECT_EQ(valuesOf(correlation).at("judged_words"), 0.0);
 }
 
-TEST(CorrelationMetrics, CountsWordsOfEachKindAlsoWithoutTruth) {
+TEST(CorrelationMetrics, CountsUpdatesOfEachKindAlsoWithoutTruth) {
   CorrelationMetrics correlation;
   EXPECT_TRUE(correlation.empty());
   correlation.add({1, Kind::kCorrelated, 04101});

@@ -31,7 +31,7 @@ struct TruthState {
   double height = kUnknown;  ///< [m]
 };
 
-/// One believed track, extrapolated to an epoch.
+/// One confirmed track, extrapolated to an epoch.
 struct TrackState {
   std::uint32_t id = 0;  ///< Unique in the run.
   std::uint16_t mode_3a = kCodeUnknown;

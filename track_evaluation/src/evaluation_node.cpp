@@ -120,7 +120,7 @@ class EvaluationNode::Impl {
 
   /// `tracks`: those of the message.
   template <class M>
-  void takeTracks(const Input& input, const M& heard, const tws_msgs::Tracks& message) {
+  void takeTracks(const Input& input, const M& published, const tws_msgs::Tracks& message) {
     for (const tws_msgs::Track& track : message.tracks) {
       const std::string fault = faultOf(track);
       if (!fault.empty())
@@ -131,7 +131,7 @@ class EvaluationNode::Impl {
     TrackerEvaluation& tracker = trackers_.at(input.name);
     tracker.timing.addTracks(message.radar, toSeconds(bus_.now()), toSeconds(message.header.stamp),
                              message.tracks.size());
-    if (!tracker.add(heard))
+    if (!tracker.add(published))
       bus_.counter("late tracks")
           .add(input.topic + " came more than " + std::to_string(params_.skew_limit) + " s after the truth");
   }

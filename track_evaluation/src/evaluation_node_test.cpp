@@ -211,7 +211,7 @@ TEST(EvaluationNode, ScoresByIdentityWithoutTruth) {
 
 TEST(EvaluationNode, PublishesALatchedSummaryAndTiming) {
   Graph graph;
-  std::map<std::string, tws_msgs::EvaluationSummary> heard;
+  std::map<std::string, tws_msgs::EvaluationSummary> received;
   graph.graph.advanceTo(ros::Time(1.0));
   graph.tracks(1.0, {firmTrack(5, 1.0, 1000, 0)});
   graph.truth(1.0, {aircraft(1, 1000, 0)});
@@ -220,13 +220,13 @@ TEST(EvaluationNode, PublishesALatchedSummaryAndTiming) {
   tws_runtime::Bus& late = graph.graph.addNode("late");
   for (const std::string topic : {"/evaluation/summary", "/evaluation/timing"})
     late.subscribe<tws_msgs::EvaluationSummary>(
-        topic, [&heard, topic](const tws_msgs::EvaluationSummary& message) { heard[topic] = message; });
+        topic, [&received, topic](const tws_msgs::EvaluationSummary& message) { received[topic] = message; });
   graph.graph.drain();
-  const tws_msgs::EvaluationSummary& summary = heard["/evaluation/summary"];
+  const tws_msgs::EvaluationSummary& summary = received["/evaluation/summary"];
   EXPECT_EQ(summary.tracker, "adit");
   ASSERT_EQ(summary.names.size(), summary.values.size());
   EXPECT_NE(std::find(summary.names.begin(), summary.names.end(), "gospa_m"), summary.names.end());
-  EXPECT_EQ(heard["/evaluation/timing"].names.at(0), "plots_per_s");
+  EXPECT_EQ(received["/evaluation/timing"].names.at(0), "plots_per_s");
 }
 
 TEST(EvaluationNode, RefusesAParameterItDoesNotKnowOrCannotUse) {

@@ -27,7 +27,7 @@ class IdentityMetrics {
 
   /// In any order; position on the radar's slant plane [m], time [s]. Not finite: throws std::invalid_argument.
   void addPlot(double time, std::uint32_t identity, const Eigen::Vector2d& position);
-  /// An update of a believed track by a detection at `time`.
+  /// An update of a confirmed track by a detection at `time`.
   void addUpdate(double time, std::uint32_t track, const Eigen::Vector2d& position);
 
   bool empty() const { return plots_.empty(); }

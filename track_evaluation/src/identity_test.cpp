@@ -67,7 +67,7 @@ TEST(Identity, TwoTracksOneAfterTheOtherAreFragments) {
   EXPECT_NEAR(scene.metric("long_gap_share"), 1.0 / (9.0 + 6.0), 1e-12);
 }
 
-TEST(Identity, MonitorsAndRareCodesDoNotCountButTracksOfMonitorsAreTold) {
+TEST(Identity, MonitorsAndRareCodesDoNotCountButTracksOfMonitorsAreReported) {
   TwoAircraft scene;
   for (int scan = 0; scan < 5; ++scan) scene.metrics.addPlot(4.0 * scan, 0777, {-50e3, 0});
   scene.metrics.addPlot(4.0, 3, {90e3, 0});

@@ -33,8 +33,8 @@ void RequirementCounter::addUpdate(Watch& watch, const TruthState& truth, const 
   if (update <= watch.last_update && watch.last_update > watch.begin) return;
   addGap(counts_, update - watch.last_update);
   watch.last_update = std::max(update, watch.last_update);
-  codes_heard_ = codes_heard_ || track.mode_3a != kCodeUnknown;
-  heights_heard_ = heights_heard_ || !std::isnan(track.height);
+  codes_reported_ = codes_reported_ || track.mode_3a != kCodeUnknown;
+  heights_reported_ = heights_reported_ || !std::isnan(track.height);
   if (truth.mode_3a != kCodeUnknown) {
     coded_ += 1.0;
     right_code_ += track.mode_3a == truth.mode_3a ? 1.0 : 0.0;
@@ -69,9 +69,9 @@ void RequirementCounter::report(std::vector<RequirementRow>& rows) const {
   row("long gaps", "", ratio(counts.long_gaps, counts.expected), profile_.long_gap_share, false);
   row("horizontal RMS", "m", std::sqrt(ratio(squares_, pairs_)), profile_.horizontal_rms, false);
   row("false track reports", "", ratio(false_, reports_), profile_.false_share, false);
-  row("Mode 3/A detection", "", codes_heard_ ? ratio(right_code_, coded_) : kUnknown, profile_.mode_3a_probability,
+  row("Mode 3/A detection", "", codes_reported_ ? ratio(right_code_, coded_) : kUnknown, profile_.mode_3a_probability,
       true);
-  row("Mode C detection", "", heights_heard_ ? ratio(right_height_, high_) : kUnknown, profile_.mode_c_probability,
+  row("Mode C detection", "", heights_reported_ ? ratio(right_height_, high_) : kUnknown, profile_.mode_c_probability,
       true);
 }
 

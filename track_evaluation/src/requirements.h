@@ -62,7 +62,7 @@ class RequirementCounter {
   Counts counts_;
   double squares_ = 0.0, pairs_ = 0.0, reports_ = 0.0, false_ = 0.0;
   double coded_ = 0.0, right_code_ = 0.0, high_ = 0.0, right_height_ = 0.0;
-  bool codes_heard_ = false, heights_heard_ = false;
+  bool codes_reported_ = false, heights_reported_ = false;
 };
 
 }  // namespace track_evaluation

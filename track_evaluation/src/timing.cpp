@@ -13,21 +13,21 @@ void reportPercentiles(MetricList& metrics, const std::string& name, const std::
 
 }  // namespace
 
-void Timing::hear(double now) {
-  if (!heard_) first_ = now;
-  heard_ = true;
+void Timing::extendTo(double now) {
+  if (!started_) first_ = now;
+  started_ = true;
   last_ = std::max(last_, now);
 }
 
 void Timing::addPlots(const std::string& radar, double now, double stamp, std::size_t plots) {
-  hear(now);
+  extendTo(now);
   plots_ += static_cast<double>(plots);
   plots_latency_.push_back(now - stamp);
   newest_plots_[radar] = now;
 }
 
 void Timing::addTracks(const std::string& radar, double now, double stamp, std::size_t tracks) {
-  hear(now);
+  extendTo(now);
   tracks_ += static_cast<double>(tracks);
   tracks_latency_.push_back(now - stamp);
   // Not of this radar alone: a sector waits until all radars have passed it.

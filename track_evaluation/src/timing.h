@@ -19,10 +19,10 @@ class Timing {
   MetricList report() const;
 
  private:
-  void hear(double now);
+  void extendTo(double now);
 
   double first_ = 0.0, last_ = 0.0;
-  bool heard_ = false;
+  bool started_ = false;
   double plots_ = 0.0, tracks_ = 0.0;
   std::map<std::string, double> newest_plots_;  // when each radar's latest sector was published
   std::vector<double> plots_latency_, tracks_latency_, tracks_processing_;

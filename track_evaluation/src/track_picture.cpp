@@ -61,17 +61,17 @@ tws_msgs::Tracks tracksOf(const tws_msgs::CorrelatedTracks& message) {
 void TrackPicture::add(const tws_msgs::Tracks& message) {
   for (const Track& track : message.tracks) {
     if (track.state == Track::DROPPED)
-      last_words_.erase(track.uid);
+      updates_.erase(track.uid);
     else if (faultOf(track).empty())
-      last_words_[track.uid] = track;
+      updates_[track.uid] = track;
   }
 }
 
 std::vector<TrackState> TrackPicture::at(double time) const {
   std::vector<TrackState> tracks;
-  for (const auto& [uid, track] : last_words_) {
-    const bool believed = track.state == Track::FIRM || track.state == Track::COASTING;
-    if (believed && time - tws_runtime::toSeconds(track.stamp) <= longest_silence_)
+  for (const auto& [uid, track] : updates_) {
+    const bool confirmed = track.state == Track::FIRM || track.state == Track::COASTING;
+    if (confirmed && time - tws_runtime::toSeconds(track.stamp) <= longest_silence_)
       tracks.push_back(stateOf(track, time));
   }
   return tracks;

@@ -17,20 +17,20 @@ std::string faultOf(const tws_msgs::Track& track);
 /// The same without what only a correlator says: the tracks under their own identities.
 tws_msgs::Tracks tracksOf(const tws_msgs::CorrelatedTracks& message);
 
-/// The whole picture of one tracker: the last word of each track.
+/// The whole picture of one tracker: the latest update of each track.
 class TrackPicture {
  public:
-  /// A track of which nothing is heard for longer than `longest_silence` [s] is no longer shown.
+  /// A track without an update for longer than `longest_silence` [s] is no longer shown.
   explicit TrackPicture(double longest_silence) : longest_silence_(longest_silence) {}
 
   /// Takes what has no fault.
   void add(const tws_msgs::Tracks& message);
-  /// The believed tracks (firm or coasting) at `time` [s], moved on by their velocities, in the order of their uid.
+  /// The confirmed tracks (firm or coasting) at `time` [s], moved on by their velocities, in the order of their uid.
   std::vector<TrackState> at(double time) const;
 
  private:
   double longest_silence_;
-  std::map<std::uint32_t, tws_msgs::Track> last_words_;
+  std::map<std::uint32_t, tws_msgs::Track> updates_;
 };
 
 }  // namespace track_evaluation

@@ -13,7 +13,7 @@ namespace {
 
 using tws_msgs::Track;
 
-TEST(TrackPicture, MovesTheLastWordOnByItsVelocity) {
+TEST(TrackPicture, MovesTheLatestUpdateOnByItsVelocity) {
   TrackPicture picture(30.0);
   picture.add(tracksAt(10, {firmTrack(5, 9.0, 1000, 0, 100)}));
   picture.add(tracksAt(12, {firmTrack(5, 11.0, 1190, 0, 90)}));
@@ -25,7 +25,7 @@ TEST(TrackPicture, MovesTheLastWordOnByItsVelocity) {
   EXPECT_FALSE(tracks[0].covariance);
 }
 
-TEST(TrackPicture, ShowsBelievedTracksOnly) {
+TEST(TrackPicture, ShowsConfirmedTracksOnly) {
   TrackPicture picture(30.0);
   tws_msgs::Tracks message = tracksAt(10, {firmTrack(1, 10, 0, 0), firmTrack(2, 10, 0, 0), firmTrack(3, 10, 0, 0)});
   message.tracks[1].state = Track::TENTATIVE;
@@ -36,7 +36,7 @@ TEST(TrackPicture, ShowsBelievedTracksOnly) {
   picture.add(message);
   ASSERT_EQ(picture.at(10.0).size(), 1U);
   EXPECT_EQ(picture.at(10.0)[0].id, 3U);
-  EXPECT_TRUE(picture.at(41.0).empty());  // Nothing heard for more than 30 s.
+  EXPECT_TRUE(picture.at(41.0).empty());  // No update for more than 30 s.
 }
 
 TEST(TrackPicture, LeavesOutATrackThatIsNoNumber) {

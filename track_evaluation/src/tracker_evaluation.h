@@ -27,7 +27,7 @@ class TrackerEvaluation {
   using FindSite = std::function<Eigen::Vector3d(const std::string& radar, const std::string& frame)>;
   using OnEpoch = std::function<void(const Epoch&, const Evaluator&)>;
 
-  /// A believed track was updated; called only while there is no truth.
+  /// A confirmed track was updated; called only while there is no truth.
   using OnUpdate = std::function<void(const tws_msgs::Track&)>;
 
   TrackerEvaluation(const EvaluationParams& params, FindSite find_site, OnEpoch on_epoch, OnUpdate on_update);

@@ -49,7 +49,7 @@ TEST(TruthMessages, ASlowMoverIsToleratedAndClutterIsNoTruth) {
   EXPECT_FALSE(states[0].required);
 }
 
-TEST(TruthMessages, ATargetOfWhichNoRadarSpeaksIsRequired) {
+TEST(TruthMessages, ATargetThatNoRadarMentionsIsRequired) {
   TruthTarget target = aircraft(1, 0, 0);
   target.detection_probability.clear();
   EXPECT_TRUE(truths({target}).at(0).required);
