@@ -18,7 +18,7 @@ struct RangeInterval {
 RangeInterval gateAbout(double centre, double length, const RangeGateParams& params);
 
 /// Where to look for a target that is lost, which the report leaves open. First the gate stays at the last range and
-/// opens on both sides as fast as the target may have gone (the velocity limit), up to the widest gate. After the
+/// opens on both sides as fast as the target may have moved (the velocity limit), up to the widest gate. After the
 /// widening time the gate, as long as ever, sweeps over all ranges, the places nearest to the last range first,
 /// overlapping by one detection window; then again.
 class GateSearch {

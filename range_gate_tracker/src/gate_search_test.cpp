@@ -49,7 +49,7 @@ TEST(GateSearch, NeverLooksWhereTheRadarCannot) {
   }
 }
 
-// Wherever the target has gone, one sweep must meet it, whole in one gate.
+// Wherever the target has moved, one sweep must meet it, whole in one gate.
 TEST(GateSearch, SweepsOverEveryWindowOfAllRangesNearestFirst) {
   GateSearch search(params());
   search.begin(6200.0, 0.0);

@@ -60,14 +60,14 @@ TEST(DampedRange, NeverMovesFasterThanTheVelocityLimit) {
 }
 
 TEST(DampedRange, ReusesThePreviousRangeWithoutAMeasurement) {
-  DampedRange reused(params()), told(params());
-  for (DampedRange* filter : {&reused, &told}) {
+  DampedRange reused(params()), given(params());
+  for (DampedRange* filter : {&reused, &given}) {
     filter->start(100.0);
     filter->update(120.0, 0.1);
   }
   reused.coast(0.1);
-  told.update(120.0, 0.1);
-  EXPECT_EQ(reused.range(), told.range());
+  given.update(120.0, 0.1);
+  EXPECT_EQ(reused.range(), given.range());
 }
 
 TEST(DampedRange, PredictsByTheDampedRangeItself) {

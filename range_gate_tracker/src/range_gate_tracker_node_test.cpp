@@ -115,7 +115,7 @@ TEST_F(RangeGateTrackerNodeTest, SaysTheTargetAsATrackAtItsPlaceInTheMap) {
   EXPECT_EQ(track.first_detection, ros::Time(100.04));  // the third profile
 }
 
-TEST_F(RangeGateTrackerNodeTest, EndsALostTrackWithOneLastWordAndGivesTheNextOneANewIdentity) {
+TEST_F(RangeGateTrackerNodeTest, EndsALostTrackWithOneFinalUpdateAndGivesTheNextOneANewIdentity) {
   start();
   placeRadar();
   sendMany(100.0, 101.0);

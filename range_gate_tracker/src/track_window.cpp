@@ -18,24 +18,24 @@ double angleOf(double distance, double range, double widest) {
   return distance >= range ? widest : std::min(std::asin(distance / std::max(range, kNearest)), widest);
 }
 
-/// Weights of echoes: amplitudes, or all alike when some signal-to-noise ratio [dB] is unknown.
-std::vector<double> weightsOf(const std::vector<tws::Plot>& echoes) {
-  const bool known = std::all_of(echoes.begin(), echoes.end(), [](const auto& e) { return std::isfinite(e.snr); });
+/// Weights of plots: amplitudes, or all alike when some signal-to-noise ratio [dB] is unknown.
+std::vector<double> weightsOf(const std::vector<tws::Plot>& plots) {
+  const bool known = std::all_of(plots.begin(), plots.end(), [](const auto& e) { return std::isfinite(e.snr); });
   std::vector<double> weights;
-  weights.reserve(echoes.size());
-  for (const tws::Plot& echo : echoes) weights.push_back(known ? std::pow(10.0, echo.snr / 20.0) : 1.0);
+  weights.reserve(plots.size());
+  for (const tws::Plot& plot : plots) weights.push_back(known ? std::pow(10.0, plot.snr / 20.0) : 1.0);
   return weights;
 }
 
-tws::Plot centreOfGravity(const std::vector<tws::Plot>& echoes) {
-  const std::vector<double> weights = weightsOf(echoes);
-  tws::Plot centre = echoes.front();
+tws::Plot centreOfGravity(const std::vector<tws::Plot>& plots) {
+  const std::vector<double> weights = weightsOf(plots);
+  tws::Plot centre = plots.front();
   double total = 0.0, time = 0.0, range = 0.0, azimuth = 0.0;
-  for (std::size_t i = 0; i < echoes.size(); ++i) {
+  for (std::size_t i = 0; i < plots.size(); ++i) {
     total += weights[i];
-    time += weights[i] * (echoes[i].time - centre.time);
-    range += weights[i] * (echoes[i].range - centre.range);
-    azimuth += weights[i] * tws::angularDifference(echoes[i].azimuth, centre.azimuth);
+    time += weights[i] * (plots[i].time - centre.time);
+    range += weights[i] * (plots[i].range - centre.range);
+    azimuth += weights[i] * tws::angularDifference(plots[i].azimuth, centre.azimuth);
   }
   centre.time += time / total;
   centre.range += range / total;
@@ -82,9 +82,9 @@ void learnError(PredictionError& error, const tws::Plot& measured, const WindowK
   error.across += weight * (across * across - error.across);
 }
 
-tws::Plot resolved(const std::vector<tws::Plot>& echoes, const TrackWindow& window, Ambiguity rule) {
-  if (rule == Ambiguity::kCentreOfGravity) return centreOfGravity(echoes);
-  return *std::min_element(echoes.begin(), echoes.end(), [&](const tws::Plot& a, const tws::Plot& b) {
+tws::Plot resolved(const std::vector<tws::Plot>& plots, const TrackWindow& window, Ambiguity rule) {
+  if (rule == Ambiguity::kCentreOfGravity) return centreOfGravity(plots);
+  return *std::min_element(plots.begin(), plots.end(), [&](const tws::Plot& a, const tws::Plot& b) {
     return window.distance(a) < window.distance(b);
   });
 }

@@ -55,7 +55,7 @@ PredictionError firstError(double range, double dt, const PlotSigmas& sigmas, co
 /// The mean after one more prediction, which was wrong by the difference of the two places.
 void learnError(PredictionError& error, const tws::Plot& measured, const WindowKinematics& predicted, double weight);
 
-/// The one detection that the echoes in a window stand for (section 2.5.1). There must be at least one.
-tws::Plot resolved(const std::vector<tws::Plot>& echoes, const TrackWindow& window, Ambiguity rule);
+/// The one detection that the plots in a window stand for (section 2.5.1). There must be at least one.
+tws::Plot resolved(const std::vector<tws::Plot>& plots, const TrackWindow& window, Ambiguity rule);
 
 }  // namespace range_gate_tracker

@@ -14,7 +14,7 @@ std::uint8_t stateOf(const WindowTracker& tracker, const WindowUpdate& update) {
   return update.file->misses > 0 ? tws_msgs::Track::COASTING : tws_msgs::Track::FIRM;
 }
 
-/// The time for which a track is told: of its latest detection, or when it was last looked for.
+/// The time of a track update: of its latest detection, or when it was last looked for.
 double timeOf(const TrackFile& track) {
   return track.misses > 0 && track.previous.close >= track.previous.open ? track.previous.time : track.last_update;
 }

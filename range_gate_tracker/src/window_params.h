@@ -8,13 +8,13 @@
 
 namespace range_gate_tracker {
 
-/// What is done with the echoes in a window (Henery 1985, section 2.5.1).
+/// What is done with the plots in a window (Henery 1985, section 2.5.1).
 enum class Ambiguity {
   kCentreOfGravity,  ///< Their mean place, weighted by amplitude where all signal-to-noise ratios are known.
   kNearest,          ///< The one nearest to the middle of the window.
 };
 
-/// What is done with an echo in the tracking windows of two tracks (the same section).
+/// What is done with a plot in the tracking windows of two tracks (the same section).
 enum class Overlap {
   kMomentum,  ///< Nobody takes it: the filters carry both tracks on until their windows part.
   kShare,     ///< Both take it.

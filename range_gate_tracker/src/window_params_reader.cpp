@@ -9,12 +9,12 @@ using tws_runtime::ParameterReader;
 
 constexpr double kMost = 1e6;
 
-/// True when the first of two words was chosen.
+/// True when the first of two choices was made.
 bool isFirst(ParameterReader& reader, const std::string& key, bool otherwise, const std::string& first,
              const std::string& second) {
-  std::string word = otherwise ? first : second;
-  reader.choice(key, word, {first, second});
-  return word == first;
+  std::string chosen = otherwise ? first : second;
+  reader.choice(key, chosen, {first, second});
+  return chosen == first;
 }
 
 void readFilter(ParameterReader reader, tws::AxisFilterParams& filter) {

@@ -13,7 +13,7 @@ namespace {
 
 // The beam's time decides the sector of a detection, not its measured azimuth: one sector more on either side.
 constexpr std::int64_t kMargin = 1;
-// No window is wider than a third of a turn and its margins: older echoes are no longer needed.
+// No window is wider than a third of a turn and its margins: older plots are no longer needed.
 constexpr std::int64_t kKept = 48;
 
 const WindowParams& checked(const WindowParams& params) {
@@ -53,10 +53,10 @@ void WindowTracker::process(const tws::RadarSector& sector) {
 }
 
 void WindowTracker::detect(const tws::RadarSector& sector) {
-  while (!echoes_.empty() && echoes_.front().running < sector.running - kKept) echoes_.pop_front();
+  while (!plots_.empty() && plots_.front().running < sector.running - kKept) plots_.pop_front();
   for (const tws::Plot& plot : sector.plots) {
     if (isGood(plot))
-      echoes_.push_back({plot, sector.running, false});
+      plots_.push_back({plot, sector.running, false});
     else
       ++counts_.rejected_plots;
   }
@@ -64,9 +64,9 @@ void WindowTracker::detect(const tws::RadarSector& sector) {
 
 void WindowTracker::decide(TrackFile& track) {
   std::vector<tws::Plot> seen;
-  for (Echo* echo : echoesIn(track)) {
-    seen.push_back(echo->plot);
-    echo->used = true;
+  for (HeldPlot* held : plotsIn(track)) {
+    seen.push_back(held->plot);
+    held->used = true;
   }
   if (seen.empty())
     miss(track);
@@ -75,11 +75,11 @@ void WindowTracker::decide(TrackFile& track) {
   openNext(track);
 }
 
-std::vector<WindowTracker::Echo*> WindowTracker::echoesIn(const TrackFile& track) {
-  std::vector<Echo*> inside;
-  for (Echo& echo : echoes_) {
-    const bool in = track.window.isOpenIn(echo.running) && track.window.contains(echo.plot);
-    if (in && (track.window.tracking || !echo.used) && !isClaimed(echo, track)) inside.push_back(&echo);
+std::vector<WindowTracker::HeldPlot*> WindowTracker::plotsIn(const TrackFile& track) {
+  std::vector<HeldPlot*> inside;
+  for (HeldPlot& held : plots_) {
+    const bool in = track.window.isOpenIn(held.running) && track.window.contains(held.plot);
+    if (in && (track.window.tracking || !held.used) && !isClaimed(held, track)) inside.push_back(&held);
   }
   return inside;
 }
@@ -87,7 +87,7 @@ std::vector<WindowTracker::Echo*> WindowTracker::echoesIn(const TrackFile& track
 /// Tracking windows come before acquisition windows, and those of isConfirmed tracks before others.
 int WindowTracker::rankOf(const TrackFile& track) const { return isConfirmed(track) ? 2 : int{track.window.tracking}; }
 
-bool WindowTracker::isClaimed(const Echo& echo, const TrackFile& by) const {
+bool WindowTracker::isClaimed(const HeldPlot& held, const TrackFile& by) const {
   const int rank = rankOf(by);
   return std::any_of(tracks_.begin(), tracks_.end(), [&](const auto& entry) {
     const TrackFile& other = entry.second;
@@ -95,8 +95,8 @@ bool WindowTracker::isClaimed(const Echo& echo, const TrackFile& by) const {
     const int its = rankOf(other);
     const bool stronger = its > rank || (its == rank && rank > 0 && params_.overlap == Overlap::kMomentum);
     if (!stronger) return false;
-    const TrackWindow* window = windowOf(other, echo.running);
-    return window != nullptr && window->tracking && window->contains(echo.plot);
+    const TrackWindow* window = windowOf(other, held.running);
+    return window != nullptr && window->tracking && window->contains(held.plot);
   });
 }
 
@@ -160,29 +160,29 @@ void WindowTracker::openWindow(TrackFile& track, const WindowKinematics& predict
 /// A detection starts a track as soon as no window that holds it is still to be decided; one in a tracking window
 /// belongs to that track, taken or not.
 void WindowTracker::initiate(std::int64_t running) {
-  for (Echo& echo : echoes_) {
-    if (echo.used || echo.running > running - 2 * kMargin || isAwaited(echo, running)) continue;
-    echo.used = true;
-    if (!params_.automatic || belongsToATrack(echo)) continue;
-    if (TrackFile* track = open(echo.plot.time)) {
-      take(*track, echo.plot);
+  for (HeldPlot& held : plots_) {
+    if (held.used || held.running > running - 2 * kMargin || isAwaited(held, running)) continue;
+    held.used = true;
+    if (!params_.automatic || belongsToATrack(held)) continue;
+    if (TrackFile* track = open(held.plot.time)) {
+      take(*track, held.plot);
       news_.back().second = WindowEvent::kStarted;
       openNext(*track);
     }
   }
 }
 
-bool WindowTracker::isAwaited(const Echo& echo, std::int64_t running) const {
+bool WindowTracker::isAwaited(const HeldPlot& held, std::int64_t running) const {
   return std::any_of(tracks_.begin(), tracks_.end(), [&](const auto& entry) {
     const TrackWindow& window = entry.second.window;
-    return window.close > running && window.isOpenIn(echo.running) && window.contains(echo.plot);
+    return window.close > running && window.isOpenIn(held.running) && window.contains(held.plot);
   });
 }
 
-bool WindowTracker::belongsToATrack(const Echo& echo) const {
+bool WindowTracker::belongsToATrack(const HeldPlot& held) const {
   return std::any_of(tracks_.begin(), tracks_.end(), [&](const auto& entry) {
-    const TrackWindow* window = windowOf(entry.second, echo.running);
-    return window != nullptr && window->tracking && window->contains(echo.plot);
+    const TrackWindow* window = windowOf(entry.second, held.running);
+    return window != nullptr && window->tracking && window->contains(held.plot);
   });
 }
 

@@ -28,7 +28,7 @@ struct TrackFile {
   double first_time = 0.0;   ///< Of the first detection, or of the designation [s].
   double last_update = 0.0;  ///< Of the latest detection [s].
   TypeBaseline baseline;
-  tws::Plot measured;  ///< The latest one: the centre of gravity of the echoes. Or the marker's place.
+  tws::Plot measured;  ///< The latest one: the centre of gravity of the plots. Or the marker's place.
   std::optional<WindowMotion::State> motion;  ///< Nothing: designated, and not yet detected.
   PredictionError error;
   TargetType type = TargetType::kUnknown;
@@ -88,7 +88,7 @@ class WindowTracker {
   const WindowParams& params() const { return params_; }
 
  private:
-  struct Echo {
+  struct HeldPlot {
     tws::Plot plot;
     std::int64_t running;  // of its sector
     bool used;
@@ -96,16 +96,16 @@ class WindowTracker {
 
   void detect(const tws::RadarSector& sector);
   void decide(TrackFile& track);
-  std::vector<Echo*> echoesIn(const TrackFile& track);
+  std::vector<HeldPlot*> plotsIn(const TrackFile& track);
   int rankOf(const TrackFile& track) const;
-  bool isClaimed(const Echo& echo, const TrackFile& by) const;
+  bool isClaimed(const HeldPlot& held, const TrackFile& by) const;
   void take(TrackFile& track, const tws::Plot& plot);
   void miss(TrackFile& track);
   void openNext(TrackFile& track);
   void openWindow(TrackFile& track, const WindowKinematics& predicted, const WindowSize& size);
   void initiate(std::int64_t running);
-  bool isAwaited(const Echo& echo, std::int64_t running) const;
-  bool belongsToATrack(const Echo& echo) const;
+  bool isAwaited(const HeldPlot& held, std::int64_t running) const;
+  bool belongsToATrack(const HeldPlot& held) const;
   TrackFile* open(double time);
   void cancelLost();
   void report(const tws::RadarSector& sector);
@@ -118,7 +118,7 @@ class WindowTracker {
   tws::NumberFile numbers_;
   std::uint32_t next_uid_ = 0;
   std::map<std::uint32_t, TrackFile> tracks_;
-  std::deque<Echo> echoes_;
+  std::deque<HeldPlot> plots_;
   std::vector<std::pair<std::uint32_t, WindowEvent>> news_;  // by number
   std::vector<TrackFile> dropped_;
   WindowCounts counts_;

@@ -181,7 +181,7 @@ TEST(WindowTracker, CarriesTwoCrossingTracksThroughByMomentum) {
   }
 }
 
-TEST(WindowTracker, TakesTheCentreOfGravityOfTwoEchoesInOneWindow) {
+TEST(WindowTracker, TakesTheCentreOfGravityOfTwoPlotsInOneWindow) {
   auto sectors = TestRadar::sectors({kAircraft}, 11);
   tws::Plot* last = nullptr;
   for (auto& sector : sectors)
@@ -198,7 +198,7 @@ TEST(WindowTracker, TakesTheCentreOfGravityOfTwoEchoesInOneWindow) {
   station.run(sectors);
   ASSERT_EQ(station.tracker.tracks().size(), 1U);
   EXPECT_NEAR(station.tracker.tracks().begin()->second.measured.range, range + 100.0, 1e-6);
-  EXPECT_EQ(station.count(WindowEvent::kStarted), 1) << "the second echo is no second target";
+  EXPECT_EQ(station.count(WindowEvent::kStarted), 1) << "the second plot is no second target";
 }
 
 // A false detection near an aircraft opens a large window around it; that may not take the aircraft's detections away.

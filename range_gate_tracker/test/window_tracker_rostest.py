@@ -28,8 +28,8 @@ class Scene:
         self.marks = rospy.Publisher("/test/sector_marks", SectorMark, queue_size=0)
         self.point = rospy.Publisher("/clicked_point", PointStamped, queue_size=10)
         self.sites = rospy.Publisher("/tf_static", TFMessage, queue_size=1, latch=True)
-        self.heard, self.requests, self.next, self.plots = [], [], 0, 0
-        rospy.Subscriber("/tws/tracks", Tracks, self.heard.append)
+        self.received, self.requests, self.next, self.plots = [], [], 0, 0
+        rospy.Subscriber("/tws/tracks", Tracks, self.received.append)
         rospy.Subscriber("/window_tracker/operator_requests", OperatorRequest, self.requests.append)
         site = TransformStamped()
         site.header.frame_id, site.child_frame_id, site.transform.rotation.w = "map", "test", 1.0
@@ -64,12 +64,12 @@ class Scene:
         """One turn; ends when the node has answered all of it but for the latest sectors."""
         for _ in range(SECTORS):
             self.sector(seen)
-            self.wait(lambda: self.heard and self.heard[-1].running_sector >= self.next - 4 or self.next < 8, "an answer")
+            self.wait(lambda: self.received and self.received[-1].running_sector >= self.next - 4 or self.next < 8, "an answer")
 
     def tracks(self):
-        """The last word of each living track."""
+        """The latest update of each living track."""
         last = {}
-        for message in list(self.heard):
+        for message in list(self.received):
             for track in message.tracks:
                 last[track.uid] = track
         return {uid: track for uid, track in last.items() if track.state != Track.DROPPED}
