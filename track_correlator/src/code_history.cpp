@@ -26,10 +26,10 @@ bool HeightHistory::reachable(const Sample& from, const Sample& to, double climb
 void HeightHistory::take(double height, bool garbled, double time, double climb_limit) {
   if (std::isnan(height) || garbled) return;
   const Sample sample{height, time};
-  const bool believed = std::isnan(held_.height) || reachable(held_, sample, climb_limit) ||
+  const bool accepted = std::isnan(held_.height) || reachable(held_, sample, climb_limit) ||
                         (!std::isnan(rival_.height) && reachable(rival_, sample, climb_limit));
-  (believed ? held_ : rival_) = sample;
-  if (believed) rival_ = Sample{};
+  (accepted ? held_ : rival_) = sample;
+  if (accepted) rival_ = Sample{};
 }
 
 }  // namespace track_correlator

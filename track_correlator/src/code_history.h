@@ -27,7 +27,7 @@ class CodeHistory {
 /// the next one agrees with it.
 class HeightHistory {
  public:
-  /// `height` [m], NaN: none, at `time` [s]; `climb_limit` [m/s] is the fastest climb or descent believed.
+  /// `height` [m], NaN: none, at `time` [s]; `climb_limit` [m/s] is the fastest climb or descent accepted.
   void take(double height, bool garbled, double time, double climb_limit);
 
   /// [m]; NaN until the first clean reply.

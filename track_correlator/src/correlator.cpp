@@ -77,7 +77,7 @@ void Correlator::loseSecondary(std::uint32_t uid) {
   if (table_.loseSecondary(uid)) end(identity, partner, uid);
 }
 
-/// An identity that nobody has heard of needs no final update.
+/// An identity that was never published needs no final update.
 void Correlator::end(std::uint32_t identity, std::uint32_t primary, std::uint32_t secondary) {
   if (identity == 0) return;
   CorrelatedUpdate update;
@@ -95,7 +95,7 @@ void Correlator::addMark(std::int64_t running, double time) {
   counts_.lost_marks += step.lost;
   if (step.stray) ++counts_.stray_marks;
   if (step.restarted) {
-    // Scans are told from the new count on.
+    // Scans are counted from the new count on.
     table_ = FusionTable(params_.fusion);
     primaries_.restart(running);
     secondaries_.restart(running);
@@ -270,7 +270,7 @@ void Correlator::report(const Mark& mark) {
     if (!track->isDue(mark.running)) continue;
     track->done = mark.running;
     const FusionRow* row = table_.ofSecondary(uid);
-    if (row != nullptr && !row->primary_lost) continue;  // The primary speaks for both.
+    if (row != nullptr && !row->primary_lost) continue;  // The primary stands for both.
     CorrelatedUpdate alone;
     alone.identity = identityOf(*track);
     alone.secondary = uid;

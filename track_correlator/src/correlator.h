@@ -22,7 +22,7 @@ struct CorrelatorParams {
   FusionParams fusion;
   double release_distance = 3000.0;  ///< A correlated pair further apart [m] than this; 0: no limit, as in the paper,
   int release_scans = 3;             ///< for so many scans in a row is no pair any more, >= 1.
-  double track_timeout = 30.0;       ///< A track that nobody has spoken of for so long is lost [s], > 0.
+  double track_timeout = 30.0;       ///< A track without an update for so long is lost [s], > 0.
 };
 
 constexpr std::uint32_t kNoTrack = std::numeric_limits<std::uint32_t>::max();
@@ -38,7 +38,7 @@ struct CorrelatedUpdate {
   int fusion_count = 0;                                    ///< n_fc
 };
 
-/// All that is said of one sector.
+/// The result of one sector.
 struct CorrelatorReport {
   std::int64_t running = 0;  ///< Of the clock,
   double time = 0.0;         ///< and when its beam entered it [s]: the instant of the correlation.

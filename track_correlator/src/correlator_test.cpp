@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::uint32_t kP = 70, kS = 100, kNewS = 120;
 
-/// Tells of an aircraft at (x, y) whose tracks have these uids; kNoTrack: none.
+/// Adds an aircraft at (x, y) whose tracks have these uids; kNoTrack: none.
 void tell(CorrelatorListener& c, std::uint32_t primary, std::uint32_t secondary, double x = 20e3, double y = 30e3) {
   const double t = c.now();
   if (primary != kNoTrack) c.correlator.addPrimary(trackInput(primary, t, x, y, 100.0, 0.0));
@@ -79,7 +79,7 @@ TEST(Correlator, LeavesApartWhatIsApart) {
 }
 
 // Same place, other velocity: an overtaking or crossing aircraft.
-TEST(Correlator, TellsTracksApartByVelocity) {
+TEST(Correlator, DistinguishesTracksByVelocity) {
   CorrelatorListener c;
   EXPECT_EQ(storyOf(c, 4,
                     [&](int) {
@@ -138,7 +138,7 @@ TEST(Correlator, KeepsTheIdentityWhileEitherRadarSeesTheAircraft) {
   }
 }
 
-TEST(Correlator, SaysALastWordWhenBothAreGone) {
+TEST(Correlator, PublishesAFinalUpdateWhenBothAreDeleted) {
   CorrelatorListener c;
   EXPECT_EQ(storyOf(c, 8,
                     [&](int turn) {
@@ -240,7 +240,7 @@ TEST(Correlator, SaysEveryTrackOnceATurnTheFixedDelayBehindTheClock) {
 }
 
 // If this fails, a tracker that dies leaves its picture standing.
-TEST(Correlator, LosesTracksThatNobodySpeaksOf) {
+TEST(Correlator, LosesTracksWithoutUpdates) {
   CorrelatorParams params;
   params.track_timeout = 6.5;
   CorrelatorListener c(params);
@@ -252,7 +252,7 @@ TEST(Correlator, LosesTracksThatNobodySpeaksOf) {
   EXPECT_EQ(story.back(), 'P');
 }
 
-TEST(Correlator, FillsMissingMarksAndRefusesOneMadNumber) {
+TEST(Correlator, FillsMissingMarksAndRefusesOneOutlier) {
   CorrelatorListener c;
   tell(c, kP, kS);
   c.turn();
@@ -266,8 +266,8 @@ TEST(Correlator, FillsMissingMarksAndRefusesOneMadNumber) {
   EXPECT_EQ(c.reports.size(), 222U - 2);
 }
 
-// The paper's table 1 setting in small: a dense swarm; two runs with the tracks told in another order say the same.
-TEST(Correlator, SaysTheSameInWhateverOrderTheTracksOfATurnAreTold) {
+// The paper's table 1 setting in small: a dense swarm; two runs with the tracks in another order give the same.
+TEST(Correlator, GivesTheSameInWhateverOrderTheTracksOfAScanCome) {
   auto generator = tws::seededGenerator();
   std::vector<std::pair<bool, TrackInput>> tracks;
   for (std::uint32_t i = 0; i < 120; ++i) {
@@ -280,9 +280,9 @@ TEST(Correlator, SaysTheSameInWhateverOrderTheTracksOfATurnAreTold) {
   for (int run = 0; run < 2; ++run) {
     CorrelatorListener c;
     for (int turn = 0; turn < 12; ++turn) {
-      auto told = tracks;
-      if (run == 1) std::shuffle(told.begin(), told.end(), generator);
-      for (auto& [primary, track] : told) {
+      auto shuffled = tracks;
+      if (run == 1) std::shuffle(shuffled.begin(), shuffled.end(), generator);
+      for (auto& [primary, track] : shuffled) {
         track.state.head<2>() += c.now() * track.state.tail<2>();
         track.time = c.now();
         primary ? c.correlator.addPrimary(track) : c.correlator.addSecondary(track);

@@ -12,7 +12,7 @@
 
 namespace track_correlator {
 
-/// A correlator and all that it has said. One turn takes 64 marks; all tracks are told once a turn, before its marks.
+/// A correlator and all its reports. One scan takes 64 marks; all tracks are added once a scan, before its marks.
 struct CorrelatorListener {
   std::vector<CorrelatorReport> reports;
   Correlator correlator;

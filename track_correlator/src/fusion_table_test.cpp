@@ -22,7 +22,7 @@ FusionTable tenScans() {
   return table;
 }
 
-// If these fail, pairs are believed too early, too late or for too long.
+// If these fail, pairs are confirmed too early, too late or for too long.
 
 TEST(FusionTable, InitiatesWhenTheFusionCountExceedsTwo) {
   FusionTable table = tableWith();

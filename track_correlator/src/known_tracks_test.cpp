@@ -41,7 +41,7 @@ TEST(KnownTracks, FindsEveryTrackThatIsNearTheBeam) {
   }
 }
 
-TEST(KnownTracks, NamesOnceATrackThatNobodySpeaksOf) {
+TEST(KnownTracks, NamesOnceATrackWithoutUpdates) {
   KnownTracks tracks;
   tracks.add(trackInput(1, 10.0, 1e3, 0.0, 0.0, 0.0));
   tracks.add(trackInput(2, 20.0, 1e3, 0.0, 0.0, 0.0));

@@ -18,7 +18,7 @@ struct SecondaryParams {
   double garble_range = 3050.0;               ///< Closer than this in range [m], the length of a reply of 20.3 µs,
   double garble_azimuth = tws::radians(3.0);  ///< and than this in azimuth [rad], replies overlap.
   int code_change_replies = 3;                ///< Clean replies in a row that change a track's code.
-  double climb_limit = 75.0;                  ///< Fastest climb or descent believed [m/s].
+  double climb_limit = 75.0;                  ///< Fastest climb or descent accepted [m/s].
   double split_distance = 500.0;              ///< A second plot so near with the same code is no aircraft [m].
   int confirm_plots = 3;                      ///< Plots that make a track firm.
   int tentative_misses = 2;                   ///< Scans in a row without a plot that drop a tentative track,

@@ -177,10 +177,10 @@ void SecondaryTracker::miss(SecondaryTrack& track, double time, std::vector<Seco
 }
 
 void SecondaryTracker::removeDropped() {
-  const auto gone = [&](const SecondaryTrack& track) {
+  const auto deleted = [&](const SecondaryTrack& track) {
     return track.misses >= (track.firm ? params_.drop_misses : params_.tentative_misses);
   };
-  tracks_.erase(std::remove_if(tracks_.begin(), tracks_.end(), gone), tracks_.end());
+  tracks_.erase(std::remove_if(tracks_.begin(), tracks_.end(), deleted), tracks_.end());
 }
 
 /// All tracks that could want these plots have had their turn.

@@ -71,7 +71,7 @@ TEST(SecondaryTracker, KeepsTheCodesOfAircraftThatCross) {
 }
 
 // If this fails, garbled replies lose the aircraft's identity just where the correlator needs it.
-TEST(SecondaryTracker, MendsCodesThatAreGarbledWithoutAWord) {
+TEST(SecondaryTracker, MendsGarbledCodesSilently) {
   const TestAircraft a{10e3, 50e3, 200.0, 0.0, 00421}, b{10e3, 50.6e3, 200.0, 0.0, 01310};
   std::vector<SecondarySector> sectors = seen({a, b}, 12);
   for (std::size_t n = 4 * 64; n < 9 * 64; ++n)

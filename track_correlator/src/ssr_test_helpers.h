@@ -77,7 +77,7 @@ struct SsrListener {
     for (const SecondaryReport& report : reports) all.insert(all.end(), report.updates.begin(), report.updates.end());
     return all;
   }
-  /// Words of each track.
+  /// How many updates each track has.
   std::map<std::uint32_t, int> tracks() const {
     std::map<std::uint32_t, int> tracks;
     for (const SecondaryUpdate& update : updates()) ++tracks[update.track.uid];

@@ -24,7 +24,7 @@ class SsrTrackerNodeTest : public testing::Test {
   SsrTrackerNodeTest() {
     tws_runtime::Bus& bus = graph_.addNode("radar");
     plots_ = bus.advertise<tws_msgs::SsrPlots>("/ssr/plots");
-    bus.subscribe<tws_msgs::Tracks>("/ssr/tracks", [this](const auto& message) { heard_.push_back(message); });
+    bus.subscribe<tws_msgs::Tracks>("/ssr/tracks", [this](const auto& message) { published_.push_back(message); });
     site_.header.frame_id = "map";
     site_.child_frame_id = "ssr";
     site_.transform.translation.x = 5000.0;
@@ -81,7 +81,7 @@ class SsrTrackerNodeTest : public testing::Test {
   tws_runtime::LocalGraph graph_{log_};
   tws_runtime::Publisher<tws_msgs::SsrPlots> plots_;
   geometry_msgs::TransformStamped site_;
-  std::vector<tws_msgs::Tracks> heard_;
+  std::vector<tws_msgs::Tracks> published_;
   std::unique_ptr<SsrTrackerNode> node_;
 };
 
@@ -89,12 +89,12 @@ TEST_F(SsrTrackerNodeTest, SaysEverySectorAndTheAircraftAtItsPlaceInTheMap) {
   start();
   placeRadar();
   publish(flight(10));
-  ASSERT_EQ(heard_.size(), 638U);  // Two sectors behind.
+  ASSERT_EQ(published_.size(), 638U);  // Two sectors behind.
   const tws_msgs::Track* last = nullptr;
-  for (std::size_t n = 0; n < heard_.size(); ++n) {
-    EXPECT_EQ(heard_[n].sequence, n);
-    EXPECT_EQ(heard_[n].running_sector, n);
-    for (const auto& track : heard_[n].tracks) last = &track;
+  for (std::size_t n = 0; n < published_.size(); ++n) {
+    EXPECT_EQ(published_[n].sequence, n);
+    EXPECT_EQ(published_[n].running_sector, n);
+    for (const auto& track : published_[n].tracks) last = &track;
   }
   ASSERT_NE(last, nullptr);
   EXPECT_EQ(last->state, tws_msgs::Track::FIRM);
@@ -120,21 +120,21 @@ TEST_F(SsrTrackerNodeTest, WaitsForTheRadarsSite) {
   start();
   const auto messages = flight(3);
   publish({messages.begin(), messages.begin() + 50});
-  EXPECT_TRUE(heard_.empty());
+  EXPECT_TRUE(published_.empty());
   placeRadar();
   publish({messages.begin() + 50, messages.end()});
-  EXPECT_EQ(heard_.size(), 190U);
+  EXPECT_EQ(published_.size(), 190U);
   EXPECT_EQ(count("unknown sites"), 0U);
 }
 
 TEST_F(SsrTrackerNodeTest, GoesOnWithoutASiteAfterTwoTurns) {
   start();
   publish(flight(5));
-  EXPECT_EQ(heard_.size(), 318U);
+  EXPECT_EQ(published_.size(), 318U);
   EXPECT_EQ(count("unknown sites"), 1U);
 }
 
-// If this fails, bad input stops the picture, or nobody hears of it.
+// If this fails, bad input stops the picture, or nobody is told of it.
 TEST_F(SsrTrackerNodeTest, CountsWhatIsBadAndLosesNothingElse) {
   start();
   placeRadar();
@@ -157,9 +157,9 @@ TEST_F(SsrTrackerNodeTest, CountsWhatIsBadAndLosesNothingElse) {
   EXPECT_EQ(count("lost sectors"), 3U);
   EXPECT_EQ(count("late sectors"), 1U);
   EXPECT_EQ(count("bad plots"), 3U * count("plots") - 3U * 5U) << "three faults in each sector from the sixth turn on";
-  EXPECT_EQ(heard_.size(), 638U);
+  EXPECT_EQ(published_.size(), 638U);
   std::set<std::uint32_t> tracks;
-  for (const auto& message : heard_)
+  for (const auto& message : published_)
     for (const auto& track : message.tracks) tracks.insert(track.uid);
   EXPECT_EQ(tracks.size(), 1U);
 }
@@ -169,10 +169,10 @@ TEST_F(SsrTrackerNodeTest, BeginsAnewWhenTimeGoesBack) {
   start();
   placeRadar();
   publish(flight(10));
-  const std::size_t first = heard_.size();
+  const std::size_t first = published_.size();
   publish(flight(10));
   EXPECT_EQ(count("new runs"), 1U);
-  EXPECT_EQ(heard_.size(), 2 * first);
+  EXPECT_EQ(published_.size(), 2 * first);
 }
 
 // If this fails, one stamp that was damaged on its way costs all tracks.
@@ -188,9 +188,9 @@ TEST_F(SsrTrackerNodeTest, OneStrayStampLosesNoTrack) {
   publish(messages);
   EXPECT_EQ(count("stray messages"), std::size(tws_runtime::kStrays));
   EXPECT_EQ(count("new runs"), 0U);
-  EXPECT_EQ(heard_.size(), 638U);
+  EXPECT_EQ(published_.size(), 638U);
   std::set<std::uint32_t> uids;
-  for (const auto& message : heard_)
+  for (const auto& message : published_)
     for (const auto& track : message.tracks) {
       EXPECT_NE(track.state, tws_msgs::Track::DROPPED);
       uids.insert(track.uid);
@@ -199,14 +199,14 @@ TEST_F(SsrTrackerNodeTest, OneStrayStampLosesNoTrack) {
 }
 
 // If this fails, who remaps a radar's topic sees no tracks.
-TEST_F(SsrTrackerNodeTest, HearsARadarUnderARemappedTopicAndNamesItAsItWasTold) {
+TEST_F(SsrTrackerNodeTest, TakesARadarUnderARemappedTopicAndNamesItAsConfigured) {
   start();
   placeRadar();
   auto messages = flight(10);
   for (auto& message : messages) message.radar = "myradar";
   publish(messages);
-  ASSERT_EQ(heard_.size(), 638U);
-  EXPECT_EQ(heard_.back().radar, "ssr");
+  ASSERT_EQ(published_.size(), 638U);
+  EXPECT_EQ(published_.back().radar, "ssr");
   EXPECT_EQ(count("bad messages"), 0U);
 }
 

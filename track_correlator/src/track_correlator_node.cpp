@@ -69,7 +69,7 @@ class TrackCorrelatorNode::Impl {
                  {"cleared rows", &CorrelatorCounts::cleared},
                  {"clusters", &CorrelatorCounts::clusters},
                  {"silent tracks", &CorrelatorCounts::silent_tracks,
-                  "its tracker has stopped to update it, without a final update"},
+                  "its tracker no longer updates it and has published no final update"},
                  {"lost sector marks", &CorrelatorCounts::lost_marks, "a running number of the clock radar is missing"},
                  {"stray sector marks", &CorrelatorCounts::stray_marks,
                   "a running number of the clock radar is out of line"}}),

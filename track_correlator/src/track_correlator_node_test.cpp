@@ -87,7 +87,7 @@ struct Graph {
     topics[0] = bus.advertise<tws_msgs::Tracks>("/ssr/tracks");
     topics[1] = bus.advertise<tws_msgs::Tracks>("/adit/tracks");
     marks = bus.advertise<tws_msgs::SectorMark>("/sps12/sector_marks");
-    bus.subscribe<tws_msgs::CorrelatedTracks>("/correlated/tracks", [this](const auto& m) { heard.push_back(m); });
+    bus.subscribe<tws_msgs::CorrelatedTracks>("/correlated/tracks", [this](const auto& m) { published.push_back(m); });
     node = std::make_unique<TrackCorrelatorNode>(graph.addNode("track_correlator", YAML::Load(parameters)));
   }
   void publish(const std::vector<Arrival>& arrivals) {
@@ -101,7 +101,7 @@ struct Graph {
   }
   std::vector<CorrelatedTrack> tracks() const {
     std::vector<CorrelatedTrack> all;
-    for (const auto& message : heard) all.insert(all.end(), message.tracks.begin(), message.tracks.end());
+    for (const auto& message : published) all.insert(all.end(), message.tracks.begin(), message.tracks.end());
     return all;
   }
   std::uint64_t count(const std::string& name) const {
@@ -114,7 +114,7 @@ struct Graph {
   tws_runtime::LocalGraph graph{log};
   tws_runtime::Publisher<tws_msgs::Tracks> topics[2];
   tws_runtime::Publisher<tws_msgs::SectorMark> marks;
-  std::vector<tws_msgs::CorrelatedTracks> heard;
+  std::vector<tws_msgs::CorrelatedTracks> published;
   std::unique_ptr<TrackCorrelatorNode> node;
 };
 
@@ -141,11 +141,11 @@ TEST(TrackCorrelatorNode, JoinsThePrimarysMotionWithTheSecondarysCodeAndHeight) 
 TEST(TrackCorrelatorNode, SaysEverySectorOnceInOrder) {
   Graph graph;
   graph.publish(feed(3));
-  ASSERT_GT(graph.heard.size(), 180U);
-  for (std::size_t n = 0; n < graph.heard.size(); ++n) {
-    EXPECT_EQ(graph.heard[n].running_sector, n);
-    EXPECT_EQ(graph.heard[n].header.frame_id, "map");
-    EXPECT_EQ(graph.heard[n].radar, "sps12");
+  ASSERT_GT(graph.published.size(), 180U);
+  for (std::size_t n = 0; n < graph.published.size(); ++n) {
+    EXPECT_EQ(graph.published[n].running_sector, n);
+    EXPECT_EQ(graph.published[n].header.frame_id, "map");
+    EXPECT_EQ(graph.published[n].radar, "sps12");
   }
 }
 
@@ -158,7 +158,7 @@ TEST(TrackCorrelatorNode, SaysTheSameBytesInWhateverOrderItsInputsArrive) {
     Graph graph;
     graph.publish(arrivals);
     std::vector<std::uint8_t> bytes;
-    for (const auto& message : graph.heard) {
+    for (const auto& message : graph.published) {
       const auto buffer = ros::serialization::serializeMessage(message);
       bytes.insert(bytes.end(), buffer.buf.get(), buffer.buf.get() + buffer.num_bytes);
     }

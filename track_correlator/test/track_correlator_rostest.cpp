@@ -35,10 +35,10 @@ class Station {
     marks_ = node_.advertise<tws_msgs::SectorMark>("/ssr/sector_marks", kUnbounded);
     tracks_ = node_.advertise<tws_msgs::Tracks>("/adit/tracks", kUnbounded);
     sites_ = node_.advertise<tf2_msgs::TFMessage>("/tf_static", 1, true);
-    const boost::function<void(const tws_msgs::CorrelatedTracks::ConstPtr&)> hear = [this](const auto& m) {
-      heard.push_back(*m);
+    const boost::function<void(const tws_msgs::CorrelatedTracks::ConstPtr&)> on_message = [this](const auto& m) {
+      published.push_back(*m);
     };
-    picture_ = node_.subscribe<tws_msgs::CorrelatedTracks>("/correlated/tracks", kUnbounded, hear);
+    picture_ = node_.subscribe<tws_msgs::CorrelatedTracks>("/correlated/tracks", kUnbounded, on_message);
     tf2_msgs::TFMessage sites;
     sites.transforms.resize(1);
     sites.transforms[0].header.frame_id = "map";
@@ -79,7 +79,7 @@ class Station {
     marks_.publish(mark);
   }
 
-  std::vector<tws_msgs::CorrelatedTracks> heard;
+  std::vector<tws_msgs::CorrelatedTracks> published;
 
  private:
   static tws_msgs::SsrPlot plot(ros::Time time) {
@@ -119,22 +119,22 @@ TEST(TrackCorrelatorRostest, MakesOneOfAPrimaryTrackAndAnAircraftsPlots) {
   ASSERT_TRUE(waitFor([&] { return station.connected(); })) << "the nodes are not there";
   // The two nodes may still be looking for each other: nothing can be counted on before the first answer.
   std::uint32_t n = 0;
-  while (station.heard.empty() && n < 2 * 64) {
+  while (station.published.empty() && n < 2 * 64) {
     station.publish(n++);
-    waitFor([&] { return !station.heard.empty(); }, 0.1);
+    waitFor([&] { return !station.published.empty(); }, 0.1);
   }
-  ASSERT_FALSE(station.heard.empty()) << "no answer after " << n << " sectors";
+  ASSERT_FALSE(station.published.empty()) << "no answer after " << n << " sectors";
   for (; n < 10 * 64; ++n) {
     station.publish(n);
     // Data time must not run ahead of the network by more than the skew limit of three seconds.
     const ros::Time answered(kStart + (static_cast<double>(n) - 20.0) * kSectorTime);
-    ASSERT_TRUE(waitFor([&] { return station.heard.back().header.stamp >= answered; }))
+    ASSERT_TRUE(waitFor([&] { return station.published.back().header.stamp >= answered; }))
         << "silent after " << n << " sectors";
   }
   const ros::Time end(kStart + 630 * kSectorTime);
-  ASSERT_TRUE(waitFor([&] { return station.heard.back().header.stamp >= end; }));
+  ASSERT_TRUE(waitFor([&] { return station.published.back().header.stamp >= end; }));
   tws_msgs::CorrelatedTrack last;
-  for (const auto& message : station.heard)
+  for (const auto& message : station.published)
     for (const auto& track : message.tracks) last = track;
   EXPECT_EQ(last.kind, tws_msgs::CorrelatedTrack::CORRELATED);
   EXPECT_EQ(last.primary, 17U);
