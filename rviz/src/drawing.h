@@ -27,7 +27,7 @@ struct Label {
   std::uint32_t id = 0;    // the same label keeps its number from picture to picture
   Eigen::Vector2d centre;  // of the block of text [m]
   double height = 0.0;     // of a line [m]
-  std::string text;        // lines parted by '\n', all starting at the same left edge
+  std::string text;        // lines separated by '\n', all starting at the same left edge
   Rgba color;
 };
 

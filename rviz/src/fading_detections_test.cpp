@@ -33,7 +33,7 @@ TEST(FadingDetections, OneAheadOfDataTimeIsShownInFullColour) {
 }
 
 // As on a real tube: the beam is wide, the pulse is short.
-TEST(FadingDetections, ABlipLiesAcrossTheBeam) {
+TEST(FadingDetections, APlotLiesAcrossTheBeam) {
   FadingDetections detections;
   detections.add({50.0, {0.0, 1000.0}, 0.0}, 12.0);  // due north
   double east = 0.0;

@@ -18,7 +18,7 @@ Drawing legend() {
   return drawing;
 }
 
-// If this fails, an operator who does not know a symbol finds no word about it.
+// If this fails, an operator who does not know a symbol finds no explanation of it.
 TEST(Legend, NamesEachSymbolOnce) {
   std::set<std::string> said;
   for (const Label& label : legend().labels) EXPECT_TRUE(said.insert(label.text).second);

@@ -32,27 +32,27 @@ MarkerLayer::MarkerLayer(std::string frame, std::string name, double height)
     : frame_(std::move(frame)), name_(std::move(name)), height_(height) {}
 
 visualization_msgs::MarkerArray MarkerLayer::show(const Drawing& drawing, ros::Time time) {
-  heedTime(time);
+  updateLifetime(time);
   visualization_msgs::MarkerArray array;
   if (!std::exchange(started_, true)) {
     array.markers.push_back(marker("", 0, Marker::TRIANGLE_LIST));
     array.markers.back().action = Marker::DELETEALL;
   }
   array.markers.push_back(triangles(drawing));
-  std::set<std::uint32_t> gone = std::exchange(labels_, {});
+  std::set<std::uint32_t> vanished = std::exchange(labels_, {});
   for (const Label& label : drawing.labels) {
     array.markers.push_back(text(label));
     labels_.insert(label.id);
-    gone.erase(label.id);
+    vanished.erase(label.id);
   }
-  for (const std::uint32_t id : gone) {
+  for (const std::uint32_t id : vanished) {
     array.markers.push_back(marker(name_ + " labels", static_cast<int>(id), Marker::TEXT_VIEW_FACING));
     array.markers.back().action = Marker::DELETE;
   }
   return array;
 }
 
-void MarkerLayer::heedTime(ros::Time time) {
+void MarkerLayer::updateLifetime(ros::Time time) {
   const bool goes_on = !time_.isZero() && time >= time_;
   // The steps differ; a short one must not make the picture flicker.
   if (!time.isZero())

@@ -24,7 +24,7 @@ class MarkerLayer {
   visualization_msgs::MarkerArray show(const Drawing& drawing, ros::Time time);
 
  private:
-  void heedTime(ros::Time time);
+  void updateLifetime(ros::Time time);
   visualization_msgs::Marker marker(const std::string& part, int id, int type) const;
   visualization_msgs::Marker triangles(const Drawing& drawing) const;
   visualization_msgs::Marker text(const Label& label) const;

@@ -71,7 +71,7 @@ BeamMark beamMark(const tws_msgs::SectorMark& mark) {
   return {mark.header.stamp.toSec(), mark.sector, mark.running_sector, mark.rotation_period};
 }
 
-Blip blip(const tws_msgs::Detection& detection, const PlanarFrame& site) {
+PlotMark plotMark(const tws_msgs::Detection& detection, const PlanarFrame& site) {
   return {detection.stamp.toSec(), polarPosition(detection.range, detection.azimuth, site),
           detection.azimuth + site.turn};
 }
@@ -84,13 +84,13 @@ Eigen::Vector2d truthPosition(const tws_msgs::TruthTarget& target, const PlanarF
   return cartesianPosition(target.position, frame);
 }
 
-TrackReport trackReport(const tws_msgs::Track& track, std::size_t source, const std::string& prefix, double heard,
+TrackReport trackReport(const tws_msgs::Track& track, std::size_t source, const std::string& prefix, double published,
                         const PlanarFrame& frame) {
   TrackReport report;
   report.source = source;
   report.uid = track.uid;
   report.state = trackState(track);
-  report.heard = heard;
+  report.published = published;
   report.time = track.stamp.toSec();
   if (report.state == TrackState::kDropped) return report;
   report.position = cartesianPosition(track.position, frame);
@@ -103,13 +103,13 @@ TrackReport trackReport(const tws_msgs::Track& track, std::size_t source, const 
   return report;
 }
 
-TrackReport trackReport(const tws_msgs::CorrelatedTrack& track, std::size_t source, double heard,
+TrackReport trackReport(const tws_msgs::CorrelatedTrack& track, std::size_t source, double published,
                         const PlanarFrame& frame) {
   using tws_msgs::CorrelatedTrack;
   if (track.kind < CorrelatedTrack::PRIMARY_ONLY || track.kind > CorrelatedTrack::CORRELATED)
     throw std::invalid_argument("kind of identity " + std::to_string(track.identity) + " is " +
                                 std::to_string(track.kind) + "; known are 1 to 3");
-  TrackReport report = trackReport(track.track, source, "", heard, frame);
+  TrackReport report = trackReport(track.track, source, "", published, frame);
   report.uid = track.identity;
   report.kind = track.kind == CorrelatedTrack::CORRELATED       ? TrackKind::kCorrelated
                 : track.kind == CorrelatedTrack::SECONDARY_ONLY ? TrackKind::kSecondary

@@ -26,18 +26,18 @@ PlanarFrame planarFrame(const geometry_msgs::Transform& transform);
 BeamMark beamMark(const tws_msgs::SectorMark& mark);
 
 /// The slant range is laid on the ground, as on every PPI.
-Blip blip(const tws_msgs::Detection& detection, const PlanarFrame& site);
+PlotMark plotMark(const tws_msgs::Detection& detection, const PlanarFrame& site);
 
 Eigen::Vector2d clutterPosition(const tws_msgs::ClutterPoint& point, const PlanarFrame& site);
 
 Eigen::Vector2d truthPosition(const tws_msgs::TruthTarget& target, const PlanarFrame& frame);
 
-/// `source`, `prefix`: which tracker, and what stands before its numbers. `heard`: stamp of the Tracks message [s].
-TrackReport trackReport(const tws_msgs::Track& track, std::size_t source, const std::string& prefix, double heard,
+/// `source`, `prefix`: which tracker, and what stands before its numbers. `published`: stamp of the Tracks message [s].
+TrackReport trackReport(const tws_msgs::Track& track, std::size_t source, const std::string& prefix, double published,
                         const PlanarFrame& frame);
 
 /// Named by the correlator's own identity.
-TrackReport trackReport(const tws_msgs::CorrelatedTrack& track, std::size_t source, double heard,
+TrackReport trackReport(const tws_msgs::CorrelatedTrack& track, std::size_t source, double published,
                         const PlanarFrame& frame);
 
 IdentityPlot identityPlot(const tws_msgs::SsrPlot& plot, const PlanarFrame& site);

@@ -46,7 +46,7 @@ TEST(PpiInput, ADetectionLiesAtItsSlantRangeAndAzimuth) {
   detection.stamp = ros::Time(12.5);
   detection.range = 5000.0;
   detection.azimuth = std::atan2(3.0, 4.0);
-  const Blip seen = blip(detection, {});
+  const PlotMark seen = plotMark(detection, {});
   EXPECT_NEAR(seen.position.x(), 3000.0, 1e-9);
   EXPECT_NEAR(seen.position.y(), 4000.0, 1e-9);
   EXPECT_DOUBLE_EQ(seen.time, 12.5);
@@ -56,10 +56,10 @@ TEST(PpiInput, ADetectionLiesAtItsSlantRangeAndAzimuth) {
 TEST(PpiInput, ADetectionThatMakesNoSenseIsRefused) {
   tws_msgs::Detection detection;
   detection.azimuth = NAN;
-  EXPECT_THROW(blip(detection, {}), std::invalid_argument);
+  EXPECT_THROW(plotMark(detection, {}), std::invalid_argument);
   detection.azimuth = 1.0;
   detection.range = -1.0;
-  EXPECT_THROW(blip(detection, {}), std::invalid_argument);
+  EXPECT_THROW(plotMark(detection, {}), std::invalid_argument);
 }
 
 TEST(PpiInput, AMarkOfAnUnknownSectorIsRefused) {
@@ -144,7 +144,7 @@ TEST(PpiInput, ACorrelatedTrackIsKnownByItsOwnIdentityAndKind) {
   EXPECT_THROW(trackReport(correlated, 3, 100.0, {}), std::invalid_argument);
 }
 
-// A drop says no position any more; it must be heard all the same, or a ghost stays.
+// A final update has no position any more; it must be taken all the same, or a ghost stays.
 TEST(PpiInput, ADropNeedsNoPosition) {
   tws_msgs::Track dropped = track();
   dropped.state = tws_msgs::Track::DROPPED;

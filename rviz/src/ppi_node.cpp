@@ -45,11 +45,11 @@ class PpiNode::Impl {
     for (std::size_t i = 0; i < params_.trackers.size(); ++i) subscribeTracker(i);
     for (std::size_t i = 0; i < params_.correlators.size(); ++i)
       intake_.subscribe<tws_msgs::CorrelatedTracks>({params_.correlators[i].topic},
-                                                    [this, i](const auto& tracks) { hearCorrelator(i, tracks); });
+                                                    [this, i](const auto& tracks) { onCorrelator(i, tracks); });
     if (!params_.clutter_topic.empty())
-      intake_.subscribe<tws_msgs::ClutterMap>({params_.clutter_topic}, [this](const auto& map) { hearClutter(map); });
+      intake_.subscribe<tws_msgs::ClutterMap>({params_.clutter_topic}, [this](const auto& map) { onClutter(map); });
     if (params_.truth)
-      intake_.subscribe<tws_msgs::Truth>({params_.truth_topic}, [this](const auto& truth) { hearTruth(truth); });
+      intake_.subscribe<tws_msgs::Truth>({params_.truth_topic}, [this](const auto& truth) { onTruth(truth); });
     drawBackground();
     bus.everyWall(kBackgroundPeriod, [this] { drawBackground(); });
     bus.everyWall(1.0 / params_.redraw_rate, [this] { drawFast(); });
@@ -59,81 +59,82 @@ class PpiNode::Impl {
  private:
   void subscribeRadar(std::size_t radar) {
     const RadarParams& params = params_.radars[radar];
-    intake_.subscribe<tws_msgs::SectorMark>({params.sector_marks},
-                                            [this, radar](const auto& m) { hearMark(radar, m); });
+    intake_.subscribe<tws_msgs::SectorMark>({params.sector_marks}, [this, radar](const auto& m) { onMark(radar, m); });
     intake_.subscribe<tws_msgs::Detections>({params.detections},
-                                            [this, radar](const auto& d) { hearDetections(radar, d); });
-    intake_.subscribe<tws_msgs::SsrPlots>({params.plots}, [this, radar](const auto& p) { hearPlots(radar, p); });
+                                            [this, radar](const auto& d) { onDetections(radar, d); });
+    intake_.subscribe<tws_msgs::SsrPlots>({params.plots}, [this, radar](const auto& p) { onPlots(radar, p); });
   }
 
   void subscribeTracker(std::size_t tracker) {
     intake_.subscribe<tws_msgs::Tracks>({params_.trackers[tracker].topic},
-                                        [this, tracker](const auto& tracks) { hearTracks(tracker, tracks); });
+                                        [this, tracker](const auto& tracks) { onTracks(tracker, tracks); });
   }
 
-  void hearMark(std::size_t radar, const tws_msgs::SectorMark& mark) {
-    heed({"sector marks", params_.radars[radar].sector_marks, mark.header},
-         [&](const Origin&, const PlanarFrame& site) { picture_.hear(radar, beamMark(mark), site); });
+  void onMark(std::size_t radar, const tws_msgs::SectorMark& mark) {
+    applyInFrame({"sector marks", params_.radars[radar].sector_marks, mark.header},
+                 [&](const Origin&, const PlanarFrame& site) { picture_.add(radar, beamMark(mark), site); });
   }
 
-  void hearDetections(std::size_t radar, const tws_msgs::Detections& sector) {
-    heed({"detections", params_.radars[radar].detections, sector.header},
-         [&](const Origin& origin, const PlanarFrame& site) {
-           for (const tws_msgs::Detection& detection : sector.detections)
-             orCount(origin, [&] { picture_.hear(radar, blip(detection, site)); });
-         });
+  void onDetections(std::size_t radar, const tws_msgs::Detections& sector) {
+    applyInFrame({"detections", params_.radars[radar].detections, sector.header},
+                 [&](const Origin& origin, const PlanarFrame& site) {
+                   for (const tws_msgs::Detection& detection : sector.detections)
+                     applyOrReject(origin, [&] { picture_.add(radar, plotMark(detection, site)); });
+                 });
   }
 
-  void hearPlots(std::size_t radar, const tws_msgs::SsrPlots& sector) {
-    heed({"plots", params_.radars[radar].plots, sector.header}, [&](const Origin& origin, const PlanarFrame& site) {
-      for (const tws_msgs::SsrPlot& plot : sector.plots)
-        orCount(origin, [&] { picture_.hear(identityPlot(plot, site)); });
-    });
+  void onPlots(std::size_t radar, const tws_msgs::SsrPlots& sector) {
+    applyInFrame({"plots", params_.radars[radar].plots, sector.header},
+                 [&](const Origin& origin, const PlanarFrame& site) {
+                   for (const tws_msgs::SsrPlot& plot : sector.plots)
+                     applyOrReject(origin, [&] { picture_.add(identityPlot(plot, site)); });
+                 });
   }
 
-  void hearTracks(std::size_t source, const tws_msgs::Tracks& tracks) {
+  void onTracks(std::size_t source, const tws_msgs::Tracks& tracks) {
     const TrackerParams& tracker = params_.trackers[source];
-    heed({"tracks", tracker.topic, tracks.header}, [&](const Origin& origin, const PlanarFrame& frame) {
-      const double heard = tracks.header.stamp.toSec();
-      picture_.hearTracker(source, heard);
+    applyInFrame({"tracks", tracker.topic, tracks.header}, [&](const Origin& origin, const PlanarFrame& frame) {
+      const double published = tracks.header.stamp.toSec();
+      picture_.setLatest(source, published);
       for (const tws_msgs::Track& track : tracks.tracks)
-        orCount(origin, [&] {
-          TrackReport report = trackReport(track, source, tracker.prefix, heard, frame);
+        applyOrReject(origin, [&] {
+          TrackReport report = trackReport(track, source, tracker.prefix, published, frame);
           report.symbol_only = tracker.symbols_only;
-          picture_.hear(report);
+          picture_.add(report);
         });
     });
   }
 
-  void hearCorrelator(std::size_t correlator, const tws_msgs::CorrelatedTracks& tracks) {
+  void onCorrelator(std::size_t correlator, const tws_msgs::CorrelatedTracks& tracks) {
     const std::size_t source = params_.trackers.size() + correlator;
-    heed({"correlated tracks", params_.correlators[correlator].topic, tracks.header},
-         [&](const Origin& origin, const PlanarFrame& frame) {
-           const double heard = tracks.header.stamp.toSec();
-           picture_.hearTracker(source, heard);
-           for (const tws_msgs::CorrelatedTrack& track : tracks.tracks)
-             orCount(origin, [&] { picture_.hear(trackReport(track, source, heard, frame)); });
-         });
+    applyInFrame({"correlated tracks", params_.correlators[correlator].topic, tracks.header},
+                 [&](const Origin& origin, const PlanarFrame& frame) {
+                   const double published = tracks.header.stamp.toSec();
+                   picture_.setLatest(source, published);
+                   for (const tws_msgs::CorrelatedTrack& track : tracks.tracks)
+                     applyOrReject(origin, [&] { picture_.add(trackReport(track, source, published, frame)); });
+                 });
   }
 
-  void hearClutter(const tws_msgs::ClutterMap& map) {
-    heed({"clutter points", params_.clutter_topic, map.header}, [&](const Origin& origin, const PlanarFrame& site) {
-      std::vector<ClutterMark> marks;
-      for (const tws_msgs::ClutterPoint& point : map.points)
-        orCount(origin, [&] {
-          const PlanarFrame own = picture_.siteOf(point.radar).value_or(site);
-          marks.push_back({clutterPosition(point, own), point.absorbing != 0});
-        });
-      picture_.hearClutter(map.header.stamp.toSec(), std::move(marks));
-    });
+  void onClutter(const tws_msgs::ClutterMap& map) {
+    applyInFrame({"clutter points", params_.clutter_topic, map.header},
+                 [&](const Origin& origin, const PlanarFrame& site) {
+                   std::vector<ClutterMark> marks;
+                   for (const tws_msgs::ClutterPoint& point : map.points)
+                     applyOrReject(origin, [&] {
+                       const PlanarFrame own = picture_.siteOf(point.radar).value_or(site);
+                       marks.push_back({clutterPosition(point, own), point.absorbing != 0});
+                     });
+                   picture_.setClutter(map.header.stamp.toSec(), std::move(marks));
+                 });
   }
 
-  void hearTruth(const tws_msgs::Truth& truth) {
-    heed({"truth", params_.truth_topic, truth.header}, [&](const Origin& origin, const PlanarFrame& frame) {
+  void onTruth(const tws_msgs::Truth& truth) {
+    applyInFrame({"truth", params_.truth_topic, truth.header}, [&](const Origin& origin, const PlanarFrame& frame) {
       std::vector<Eigen::Vector2d> positions;
       for (const tws_msgs::TruthTarget& target : truth.targets)
-        orCount(origin, [&] { positions.push_back(truthPosition(target, frame)); });
-      picture_.hearTruth(truth.header.stamp.toSec(), std::move(positions));
+        applyOrReject(origin, [&] { positions.push_back(truthPosition(target, frame)); });
+      picture_.setTruth(truth.header.stamp.toSec(), std::move(positions));
     });
   }
 
@@ -146,9 +147,9 @@ class PpiNode::Impl {
 
   // Calls `use` with the place of the message's frame in the picture; a message that makes no sense is counted.
   template <class Use>
-  void heed(const Origin& origin, const Use& use) {
+  void applyInFrame(const Origin& origin, const Use& use) {
     watchTime(bus_.now());
-    orCount(origin, [&] {
+    applyOrReject(origin, [&] {
       // Before the first /clock nothing is known.
       if (!latest_.isZero() && origin.header.stamp > latest_ + ros::Duration(kFuture))
         throw std::invalid_argument("the stamp lies more than 10 s ahead of data time");
@@ -160,7 +161,7 @@ class PpiNode::Impl {
   }
 
   template <class Action>
-  void orCount(const Origin& origin, const Action& action) {
+  void applyOrReject(const Origin& origin, const Action& action) {
     try {
       action();
     } catch (const std::invalid_argument& error) {

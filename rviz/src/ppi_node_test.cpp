@@ -57,7 +57,7 @@ TEST(PpiNode, CountsBadInputAndGoesOn) {
   EXPECT_EQ(count(graph, "refused sector marks"), 1u);
 }
 
-// If this fails, one stamp that was damaged on its way clears the picture, or hides a radar from then on.
+// If this fails, one stamp that was damaged on its way clears the picture, or removes a radar from then on.
 TEST(PpiNode, AStrayStampIsLeftOut) {
   std::ostringstream log;
   tws_runtime::LocalGraph graph(log);

@@ -26,7 +26,7 @@ struct TrackerParams {
   bool symbols_only = false;  // triangles without leaders, trails and labels
 };
 
-/// What joins tracks of other trackers: while it speaks, its picture stands in place of theirs.
+/// What joins tracks of other trackers: while it publishes, its picture stands in place of theirs.
 struct CorrelatorParams {
   std::string name;
   std::string topic;                // of CorrelatedTracks

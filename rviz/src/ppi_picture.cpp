@@ -18,34 +18,34 @@ PpiPicture::PpiPicture(const PpiParams& params)
     : params_(params),
       style_(params.picture_range, params.text_scale),
       tracks_(params.tracks),
-      trackers_heard_(params.trackers.size() + params.correlators.size()) {
+      latest_(params.trackers.size() + params.correlators.size()) {
   for (const RadarParams& radar : params.radars) radars_.push_back({radar, {}, {}, {}, false});
 }
 
-void PpiPicture::hear(std::size_t radar, const BeamMark& mark, const PlanarFrame& site) {
+void PpiPicture::add(std::size_t radar, const BeamMark& mark, const PlanarFrame& site) {
   radars_[radar].sweep.mark(mark);
   radars_[radar].site = site;
-  radars_[radar].heard = true;
+  radars_[radar].has_mark = true;
 }
 
-void PpiPicture::hear(std::size_t radar, const Blip& detection) {
+void PpiPicture::add(std::size_t radar, const PlotMark& detection) {
   radars_[radar].detections.add(detection, persistence(radars_[radar]));
 }
 
-void PpiPicture::hear(TrackReport report) {
+void PpiPicture::add(TrackReport report) {
   const bool of_tracker = report.source < params_.trackers.size();
   // What a transponder replies says more than a flight level that the tracker has measured, without a code.
   const bool has_code = !report.identity.empty() && report.identity.front() != 'F';
   if (of_tracker && report.state != TrackState::kDropped && !has_code) {
-    const std::string heard = identities_.at(report.time, report.position, report.velocity);
-    if (!heard.empty()) report.identity = heard;
+    const std::string replied = identities_.at(report.time, report.position, report.velocity);
+    if (!replied.empty()) report.identity = replied;
   }
-  tracks_.hear(report);
+  tracks_.add(report);
 }
 
 std::optional<PlanarFrame> PpiPicture::siteOf(const std::string& radar) const {
   for (const Radar& candidate : radars_)
-    if (candidate.heard && candidate.params.name == radar) return candidate.site;
+    if (candidate.has_mark && candidate.params.name == radar) return candidate.site;
   return std::nullopt;
 }
 
@@ -67,7 +67,7 @@ Drawing PpiPicture::sweeps(double time) const {
 Drawing PpiPicture::detections(double time) const {
   Drawing drawing;
   for (const Radar& radar : radars_)
-    radar.detections.draw(drawing, time, persistence(radar), style_.blip, radar.params.color);
+    radar.detections.draw(drawing, time, persistence(radar), style_.plot, radar.params.color);
   return drawing;
 }
 
@@ -96,12 +96,12 @@ Drawing PpiPicture::tracks(double time) {
 Drawing PpiPicture::status(double time) const {
   PpiStatus status{time, spacing(), {}, {}, std::nullopt};
   for (const Radar& radar : radars_)
-    if (radar.heard)
+    if (radar.has_mark)
       status.radars.push_back({radar.params.name, radar.params.color, radar.sweep.rotationPeriod(),
                                radar.sweep.azimuthAt(time).has_value()});
   const std::set<std::size_t> hidden = covered(time);
   const auto add = [&](std::size_t source, const std::string& name) {
-    if (trackers_heard_[source] && hidden.count(source) == 0) status.trackers.push_back({name, tracks_.counts(source)});
+    if (latest_[source] && hidden.count(source) == 0) status.trackers.push_back({name, tracks_.counts(source)});
   };
   for (std::size_t i = 0; i < params_.correlators.size(); ++i)
     add(params_.trackers.size() + i, params_.correlators[i].name);
@@ -115,8 +115,8 @@ Drawing PpiPicture::status(double time) const {
 std::set<std::size_t> PpiPicture::covered(double time) const {
   std::set<std::size_t> covered;
   for (std::size_t i = 0; i < params_.correlators.size(); ++i) {
-    const auto& heard = trackers_heard_[params_.trackers.size() + i];
-    if (!heard || isOld(*heard, time)) continue;
+    const auto& latest = latest_[params_.trackers.size() + i];
+    if (!latest || isOld(*latest, time)) continue;
     const auto& topics = params_.correlators[i].covers;
     for (std::size_t tracker = 0; tracker < params_.trackers.size(); ++tracker)
       if (std::find(topics.begin(), topics.end(), params_.trackers[tracker].topic) != topics.end())

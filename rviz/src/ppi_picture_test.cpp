@@ -25,10 +25,10 @@ bool says(const Drawing& drawing, const std::string& text) {
 // "About two scans" is twelve seconds for one radar and sixteen for the other.
 TEST(PpiPicture, DetectionsFadeOverTwoScansOfTheirOwnRadar) {
   PpiPicture picture(params());
-  picture.hear(0, BeamMark{100.0, 0, 0, 6.0}, {});
-  picture.hear(1, BeamMark{100.0, 0, 0, 8.0}, {});
-  picture.hear(0, Blip{100.0, {1000.0, 0.0}, 0.0});
-  picture.hear(1, Blip{100.0, {2000.0, 0.0}, 0.0});
+  picture.add(0, BeamMark{100.0, 0, 0, 6.0}, {});
+  picture.add(1, BeamMark{100.0, 0, 0, 8.0}, {});
+  picture.add(0, PlotMark{100.0, {1000.0, 0.0}, 0.0});
+  picture.add(1, PlotMark{100.0, {2000.0, 0.0}, 0.0});
   EXPECT_EQ(picture.detections(111.0).triangles.size(), 12u);
   const Drawing later = picture.detections(113.0);
   ASSERT_EQ(later.triangles.size(), 6u);
@@ -40,7 +40,7 @@ TEST(PpiPicture, DetectionsFadeOverTwoScansOfTheirOwnRadar) {
 TEST(PpiPicture, ASweepStartsAtItsRadarsSiteInItsOwnNorth) {
   PpiPicture picture(params());
   const PlanarFrame site{{30e3, -20e3}, tws::kPi / 18.0};
-  picture.hear(0, BeamMark{100.0, 16, 16, 6.0}, site);
+  picture.add(0, BeamMark{100.0, 16, 16, 6.0}, site);
   const Drawing drawing = picture.sweeps(100.0);
   const Vertex& mast = drawing.triangles.front();
   EXPECT_NEAR((mast.position - site.origin).norm(), 0.0, 1e-9);
@@ -53,56 +53,56 @@ TEST(PpiPicture, ASweepStartsAtItsRadarsSiteInItsOwnNorth) {
 // A tracker of detections knows no codes: without those of the secondary radar's plots, labels bear numbers only.
 TEST(PpiPicture, ATrackBearsTheCodeOfTheSecondaryRadarsPlotAndKeepsIt) {
   PpiPicture picture(params());
-  picture.hear(IdentityPlot{100.0, {50e3, 0.0}, "1234 F350"});
+  picture.add(IdentityPlot{100.0, {50e3, 0.0}, "1234 F350"});
   TrackReport track;
   track.uid = 7;
   track.state = TrackState::kFirm;
-  track.heard = track.time = 100.0;
+  track.published = track.time = 100.0;
   track.position = {50e3, 100.0};
   track.velocity = {0.0, 0.0};
   track.name = "7";
-  picture.hear(track);
+  picture.add(track);
   EXPECT_TRUE(says(picture.tracks(100.0), "7\n0kn\n1234 F350"));
-  track.heard = track.time = 120.0;  // The plot is too old now.
-  picture.hear(track);
+  track.published = track.time = 120.0;  // The plot is too old now.
+  picture.add(track);
   EXPECT_TRUE(says(picture.tracks(120.0), "7\n0kn\n1234 F350"));
   track.identity = "F350";  // The tracker's own height, of an elevation search, is no code.
-  picture.hear(IdentityPlot{120.0, {50e3, 0.0}, "1234 F351"});
-  picture.hear(track);
+  picture.add(IdentityPlot{120.0, {50e3, 0.0}, "1234 F351"});
+  picture.add(track);
   EXPECT_TRUE(says(picture.tracks(120.0), "7\n0kn\n1234 F351"));
   track.identity = "4321";
-  picture.hear(track);
+  picture.add(track);
   EXPECT_TRUE(says(picture.tracks(120.0), "7\n0kn\n4321"));
 }
 
 // If this fails, the operator sees every aircraft twice, or none when the correlator has stopped.
-TEST(PpiPicture, ACorrelatorsPictureStandsInPlaceOfItsTrackersWhileItSpeaks) {
+TEST(PpiPicture, ACorrelatorsPictureStandsInPlaceOfItsTrackersWhileItPublishes) {
   PpiParams both = params();
   both.trackers[0].topic = "/adit/tracks";
   both.correlators = {{"correlated", "/correlated/tracks", {"/adit/tracks"}}};
   PpiPicture picture(both);
   TrackReport track;
   track.state = TrackState::kFirm;
-  track.heard = track.time = 100.0;
+  track.published = track.time = 100.0;
   track.position = {50e3, 0.0};
   track.velocity = {0.0, 0.0};
   const auto say = [&](std::size_t source, const std::string& name, TrackState state) {
     track.source = source;
     track.name = name;
     track.state = state;
-    picture.hear(track);
+    picture.add(track);
   };
   say(0, "7", TrackState::kFirm);
   EXPECT_TRUE(says(picture.tracks(100.0), "7\n0kn"));
-  picture.hearTracker(0, 100.0);
-  picture.hearTracker(2, 100.0);
+  picture.setLatest(0, 100.0);
+  picture.setLatest(2, 100.0);
   say(2, "1", TrackState::kFirm);
   const Drawing drawing = picture.tracks(100.0);
   EXPECT_TRUE(says(drawing, "1\n0kn"));
   EXPECT_FALSE(says(drawing, "7\n0kn"));
   EXPECT_TRUE(says(picture.status(100.0), "correlated"));
   EXPECT_FALSE(says(picture.status(100.0), "adit"));
-  track.heard = 131.0;
+  track.published = 131.0;
   say(0, "7", TrackState::kFirm);
   EXPECT_TRUE(says(picture.tracks(131.0), "7\n0kn"));
 }
@@ -110,8 +110,8 @@ TEST(PpiPicture, ACorrelatorsPictureStandsInPlaceOfItsTrackersWhileItSpeaks) {
 // When the tracker stops, its clutter map must not stay as if it were still in use.
 TEST(PpiPicture, ClutterAndTruthVanishAfterTheTimeOut) {
   PpiPicture picture(params());
-  picture.hearClutter(100.0, {{{1000.0, 0.0}, true}, {{2000.0, 0.0}, false}});
-  picture.hearTruth(100.0, {{3000.0, 0.0}});
+  picture.setClutter(100.0, {{{1000.0, 0.0}, true}, {{2000.0, 0.0}, false}});
+  picture.setTruth(100.0, {{3000.0, 0.0}});
   const Drawing clutter = picture.clutter(101.0);
   EXPECT_EQ(clutter.triangles.size(), 24u);
   EXPECT_LT(clutter.triangles.back().color.a, clutter.triangles.front().color.a);
@@ -120,10 +120,10 @@ TEST(PpiPicture, ClutterAndTruthVanishAfterTheTimeOut) {
   EXPECT_TRUE(picture.truth(131.0).triangles.empty());
 }
 
-TEST(PpiPicture, TheStatusNamesOnlyWhatWasHeard) {
+TEST(PpiPicture, TheStatusNamesOnlyWhatHasPublished) {
   PpiPicture picture(params());
-  picture.hear(1, BeamMark{100.0, 0, 0, 8.0}, {});
-  picture.hearTracker(0, 100.0);
+  picture.add(1, BeamMark{100.0, 0, 0, 8.0}, {});
+  picture.setLatest(0, 100.0);
   const Drawing status = picture.status(101.0);
   EXPECT_TRUE(says(status, "sps39  8.0 s"));
   EXPECT_TRUE(says(status, "adit"));
@@ -133,10 +133,10 @@ TEST(PpiPicture, TheStatusNamesOnlyWhatWasHeard) {
 }
 
 // If this fails, the clutter of a radar that stands elsewhere is drawn round the wrong site.
-TEST(PpiPicture, KnowsWhereEachRadarThatWasHeardStands) {
+TEST(PpiPicture, KnowsWhereEachRadarWithAMarkStands) {
   PpiPicture picture(params());
   const PlanarFrame island{{30e3, -2e3}, 0.1};
-  picture.hear(1, BeamMark{100.0, 0, 0, 8.0}, island);
+  picture.add(1, BeamMark{100.0, 0, 0, 8.0}, island);
   ASSERT_TRUE(picture.siteOf("sps39").has_value());
   EXPECT_EQ(picture.siteOf("sps39")->origin, island.origin);
   EXPECT_EQ(picture.siteOf("sps39")->turn, 0.1);
@@ -146,7 +146,7 @@ TEST(PpiPicture, KnowsWhereEachRadarThatWasHeardStands) {
 
 TEST(PpiPicture, TheStatusCountsThePointsOfTheClutterMapThatAbsorb) {
   PpiPicture picture(params());
-  picture.hearClutter(100.0, {{{1000.0, 0.0}, true}, {{2000.0, 0.0}, false}, {{3000.0, 0.0}, true}});
+  picture.setClutter(100.0, {{{1000.0, 0.0}, true}, {{2000.0, 0.0}, false}, {{3000.0, 0.0}, true}});
   EXPECT_TRUE(says(picture.status(101.0), "clutter 2"));
   EXPECT_FALSE(says(picture.status(131.0), "clutter 2"));
 }

@@ -12,7 +12,7 @@ struct PpiStyle {
         line(0.0026 * range),
         symbol(0.017 * range),
         dot(0.006 * range),
-        blip(0.016 * range),
+        plot(0.016 * range),
         clutter_mark(0.03 * range),
         text(0.034 * range * text),
         small_text(0.03 * range * text) {}
@@ -21,7 +21,7 @@ struct PpiStyle {
   double line;          // width of thin lines
   double symbol;        // radius of a firm track's symbol
   double dot;           // size of a trail's dots
-  double blip;          // length of a detection
+  double plot;          // length of a detection
   double clutter_mark;  // length of its strokes
   double text;          // line height of scales and status
   double small_text;    // line height of track labels and ring distances

@@ -65,7 +65,7 @@ DwellMark dwellMark(const tws_msgs::DwellReport& dwell) {
   mark.group = dwell.group;
   mark.group_dwells = dwell.expected_group_dwells;
   for (const tws_msgs::RuvMeasurement& m : dwell.measurements)
-    if (isGood(m.u) && isGood(m.v)) mark.blips.push_back({m.range, m.u, m.v});
+    if (isGood(m.u) && isGood(m.v)) mark.measurements.push_back({m.range, m.u, m.v});
   return mark;
 }
 
@@ -80,11 +80,11 @@ class SineSpaceNode::Impl {
   explicit Impl(tws_runtime::Bus& bus) : bus_(bus), params_(readParams(bus)), picture_(makePicture()) {
     const std::string& topic = params_.radar;
     intake_.subscribe<tws_msgs::DwellReports>({topic + "/dwell_reports", params_.radar},
-                                              [this](const auto& message) { hear(message); });
+                                              [this](const auto& message) { onDwells(message); });
     tws_runtime::IntakeTopic<tws_msgs::Frame> frames{topic + "/frames", params_.radar};
     frames.stamp = [](const tws_msgs::Frame& message) { return message.through; };
-    intake_.subscribe<tws_msgs::Frame>(frames, [this](const auto& message) { hear(message); });
-    intake_.subscribe<tws_msgs::Tracks>({topic + "/tracks"}, [this](const auto& message) { hear(message); });
+    intake_.subscribe<tws_msgs::Frame>(frames, [this](const auto& message) { onFrame(message); });
+    intake_.subscribe<tws_msgs::Tracks>({topic + "/tracks"}, [this](const auto& message) { onTracks(message); });
     drawBackground();
     bus.everyWall(kBackgroundPeriod, [this] { drawBackground(); });
     bus.everyWall(1.0 / params_.redraw_rate, [this] { draw(); });
@@ -93,26 +93,26 @@ class SineSpaceNode::Impl {
  private:
   SineSpacePicture makePicture() const { return {params_.half_width, params_.low, params_.high, params_.persistence}; }
 
-  void hear(const tws_msgs::DwellReports& message) {
+  void onDwells(const tws_msgs::DwellReports& message) {
     watchTime();
     array_frame_ = message.header.frame_id;
     for (const tws_msgs::DwellReport& dwell : message.dwells) {
       if (isGood(dwell))
-        picture_.hear(dwellMark(dwell));
+        picture_.add(dwellMark(dwell));
       else
         bus_.counter("refused dwells").add("dwell " + std::to_string(dwell.dwell) + ": beam is no number");
     }
   }
 
-  void hear(const tws_msgs::Frame& message) {
+  void onFrame(const tws_msgs::Frame& message) {
     if (message.status != tws_msgs::Frame::CLOSED) return;
     FrameMark frame{toSeconds(message.through), message.frame, {}};
     for (const tws_msgs::DwellReport& dwell : message.dwells)
       if (isGood(dwell)) frame.dwells.push_back(dwellMark(dwell));
-    picture_.hear(frame);
+    picture_.add(frame);
   }
 
-  void hear(const tws_msgs::Tracks& message) {
+  void onTracks(const tws_msgs::Tracks& message) {
     for (const tws_msgs::Track& track : message.tracks) {
       if (track.state == tws_msgs::Track::DROPPED)
         tracks_.erase(track.uid);
@@ -130,7 +130,7 @@ class SineSpaceNode::Impl {
       if (isGood(ruv.u) && isGood(ruv.v))
         shown.push_back({track.number, track.state != tws_msgs::Track::TENTATIVE, ruv.u, ruv.v});
     }
-    picture_.hearTracks(std::move(shown));
+    picture_.setTracks(std::move(shown));
   }
 
   std::optional<Eigen::Isometry3d> arrayFrom(const std::string& frame) const {
@@ -158,7 +158,7 @@ class SineSpaceNode::Impl {
     watchTime();
     const double time = latest_.toSec();
     beam_screen_.show(picture_.beams(time), latest_);
-    blip_screen_.show(picture_.blips(time), latest_);
+    measurement_screen_.show(picture_.measurements(time), latest_);
     track_screen_.show(picture_.tracks(), latest_);
     status_screen_.show(picture_.status(), latest_);
   }
@@ -166,7 +166,7 @@ class SineSpaceNode::Impl {
   tws_runtime::Bus& bus_;
   const Params params_;
   SineSpacePicture picture_;
-  std::map<std::uint32_t, tws_msgs::Track> tracks_;  // the last word of each, by uid
+  std::map<std::uint32_t, tws_msgs::Track> tracks_;  // the latest update of each, by uid
   std::string array_frame_ = params_.radar;
   ros::Time latest_;
   tws_runtime::Intake intake_{bus_, kRestartLimit, [this](double) { clear(); }};
@@ -174,7 +174,7 @@ class SineSpaceNode::Impl {
   // From the bottom to the top.
   Screen background_screen_{bus_, kFrame, "sine_space", "background", 0.0, true};
   Screen beam_screen_{bus_, kFrame, "sine_space", "beams", 1.0};
-  Screen blip_screen_{bus_, kFrame, "sine_space", "blips", 2.0};
+  Screen measurement_screen_{bus_, kFrame, "sine_space", "blips", 2.0};
   Screen track_screen_{bus_, kFrame, "sine_space", "tracks", 3.0};
   Screen status_screen_{bus_, kFrame, "sine_space", "status", 4.0};
 };

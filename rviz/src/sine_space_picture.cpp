@@ -24,10 +24,13 @@ const Rgba kFrameBeam{1.00f, 0.85f, 0.25f, 1.0f};
 const Rgba kKept{0.95f, 0.95f, 0.95f, 1.0f};
 const Rgba kDiscarded{1.00f, 0.25f, 0.20f, 1.0f};
 
-bool isSame(const SineSpaceBlip& a, const SineSpaceBlip& b) { return a.range == b.range && a.u == b.u && a.v == b.v; }
+bool isSame(const SineSpaceMeasurement& a, const SineSpaceMeasurement& b) {
+  return a.range == b.range && a.u == b.u && a.v == b.v;
+}
 
-bool holds(const std::vector<SineSpaceBlip>& blips, const SineSpaceBlip& wanted) {
-  return std::any_of(blips.begin(), blips.end(), [&](const SineSpaceBlip& blip) { return isSame(blip, wanted); });
+bool holds(const std::vector<SineSpaceMeasurement>& measurements, const SineSpaceMeasurement& wanted) {
+  return std::any_of(measurements.begin(), measurements.end(),
+                     [&](const SineSpaceMeasurement& measurement) { return isSame(measurement, wanted); });
 }
 
 std::string format(const char* pattern, double value) {
@@ -61,7 +64,7 @@ std::vector<SineSpacePicture::View> SineSpacePicture::views() const {
           {zoom_, inset / kMagnification, {0.0, high_ + kInsetGap + kInsetHeight / 2.0}, kMagnification}};
 }
 
-void SineSpacePicture::hear(DwellMark dwell) {
+void SineSpacePicture::add(DwellMark dwell) {
   forgetOld(dwell.time);
   follow(dwell);
   dwells_.push_back(std::move(dwell));
@@ -76,19 +79,19 @@ void SineSpacePicture::follow(const DwellMark& dwell) {
   }
   sequence_.time = dwell.time;
   sequence_.sum += Eigen::Vector2d(dwell.u, dwell.v);
-  if (++sequence_.heard == static_cast<int>(sequence_.dwells)) zoom_ = sequence_.sum / sequence_.heard;
+  if (++sequence_.received == static_cast<int>(sequence_.dwells)) zoom_ = sequence_.sum / sequence_.received;
 }
 
-void SineSpacePicture::hear(const FrameMark& frame) {
+void SineSpacePicture::add(const FrameMark& frame) {
   frame_ = frame;
   kept_ = discarded_ = 0;
   for (const DwellMark& in_frame : frame.dwells) {
     const auto isIt = [&](const DwellMark& dwell) { return dwell.number == in_frame.number; };
     const auto seen = std::find_if(dwells_.begin(), dwells_.end(), isIt);
-    for (const SineSpaceBlip& blip : seen == dwells_.end() ? in_frame.blips : seen->blips) {
-      const bool kept = holds(in_frame.blips, blip);
+    for (const SineSpaceMeasurement& measurement : seen == dwells_.end() ? in_frame.measurements : seen->measurements) {
+      const bool kept = holds(in_frame.measurements, measurement);
       ++(kept ? kept_ : discarded_);
-      blips_.push_back({frame.time, blip, kept});
+      measurements_.push_back({frame.time, measurement, kept});
     }
   }
 }
@@ -100,7 +103,7 @@ double SineSpacePicture::freshness(double since, double time) const {
 void SineSpacePicture::forgetOld(double time) {
   const auto isOld = [&](const auto& entry) { return freshness(entry.time, time) <= 0.0; };
   while (!dwells_.empty() && isOld(dwells_.front())) dwells_.pop_front();
-  while (!blips_.empty() && isOld(blips_.front())) blips_.pop_front();
+  while (!measurements_.empty() && isOld(measurements_.front())) measurements_.pop_front();
 }
 
 void SineSpacePicture::addContour(Drawing& drawing, const View& view, const DwellMark& dwell, double width,
@@ -161,17 +164,17 @@ Drawing SineSpacePicture::beams(double time) const {
   return drawing;
 }
 
-Drawing SineSpacePicture::blips(double time) const {
+Drawing SineSpacePicture::measurements(double time) const {
   Drawing drawing;
   for (const View& view : views()) {
-    for (const AgedBlip& aged : blips_) {
-      const Eigen::Vector2d direction(aged.blip.u, aged.blip.v);
+    for (const AgedMeasurement& aged : measurements_) {
+      const Eigen::Vector2d direction(aged.measurement.u, aged.measurement.v);
       if (!view.shows(direction)) continue;
       const double fresh = freshness(aged.time, time);
       if (aged.kept)
         addDot(drawing, view.at(direction), style_.dot, faded(kKept, fresh));
       else
-        addCross(drawing, view.at(direction), style_.blip, tws::kPi / 4.0, style_.line / 2.0, faded(kDiscarded, fresh));
+        addCross(drawing, view.at(direction), style_.plot, tws::kPi / 4.0, style_.line / 2.0, faded(kDiscarded, fresh));
     }
   }
   return drawing;

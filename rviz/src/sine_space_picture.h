@@ -11,8 +11,8 @@
 
 namespace tws_rviz {
 
-/// One echo in sine space; the range tells apart what lies in one direction.
-struct SineSpaceBlip {
+/// One measurement in sine space; the range tells apart what lies in one direction.
+struct SineSpaceMeasurement {
   double range;  // [m]
   double u, v;
 };
@@ -24,12 +24,12 @@ struct DwellMark {
   bool on_track = false;
   double u = 0.0, v = 0.0;                      // beam point
   double beamwidth_u = 0.0, beamwidth_v = 0.0;  // full width at half power
-  std::vector<SineSpaceBlip> blips;
+  std::vector<SineSpaceMeasurement> measurements;
   std::uint32_t group = 0;         // sequence of overlapping beams that it is part of; 0: none
   std::uint32_t group_dwells = 0;  // beams of that sequence
 };
 
-/// A closed frame: its dwells, with the blips that selection kept.
+/// A closed frame: its dwells, with the measurements that selection kept.
 struct FrameMark {
   double time = 0.0;  // when it closed [s]
   std::uint32_t number = 0;
@@ -50,28 +50,28 @@ class SineSpacePicture {
  public:
   static constexpr double kMetresPerUnit = 100e3;
 
-  /// The picture shows |u| up to `half_width`, in (0, 1], and v from `low` to `high`, low < high; dwells and blips fade
-  /// within `persistence` [s], > 0.
+  /// The picture shows |u| up to `half_width`, in (0, 1], and v from `low` to `high`, low < high; dwells and
+  /// measurements fade within `persistence` [s], > 0.
   SineSpacePicture(double half_width, double low, double high, double persistence);
 
-  void hear(DwellMark dwell);
-  /// Blips of its dwells that it has not kept are taken for discarded.
-  void hear(const FrameMark& frame);
-  void hearTracks(std::vector<SineSpaceTrack> tracks) { tracks_ = std::move(tracks); }
+  void add(DwellMark dwell);
+  /// Measurements of its dwells that it has not kept are taken for discarded.
+  void add(const FrameMark& frame);
+  void setTracks(std::vector<SineSpaceTrack> tracks) { tracks_ = std::move(tracks); }
 
   Drawing background() const;
   /// Half-power contours of the dwells' beams: search dim, dwells on tracks bright; the newest closed frame's on top.
   Drawing beams(double time) const;
   /// Dots: kept; red crosses: discarded.
-  Drawing blips(double time) const;
+  Drawing measurements(double time) const;
   Drawing tracks() const;
-  /// The newest closed frame in words.
+  /// The newest closed frame as text.
   Drawing status() const;
 
  private:
-  struct AgedBlip {
+  struct AgedMeasurement {
     double time;
-    SineSpaceBlip blip;
+    SineSpaceMeasurement measurement;
     bool kept;
   };
 
@@ -96,15 +96,15 @@ class SineSpacePicture {
     std::uint32_t group = 0, dwells = 0;
     double time = 0.0;
     Eigen::Vector2d sum = Eigen::Vector2d::Zero();
-    int heard = 0;
+    int received = 0;
   };
 
   double half_width_, low_, high_, persistence_;
   PpiStyle style_;
   Sequence sequence_;                               // of which dwells come in
   Eigen::Vector2d zoom_ = Eigen::Vector2d::Zero();  // where the inset looks
-  std::deque<DwellMark> dwells_;                    // in order of hearing
-  std::deque<AgedBlip> blips_;
+  std::deque<DwellMark> dwells_;                    // in order of arrival
+  std::deque<AgedMeasurement> measurements_;
   FrameMark frame_;  // the newest closed one
   std::size_t kept_ = 0, discarded_ = 0;
   std::vector<SineSpaceTrack> tracks_;

@@ -23,7 +23,7 @@ class Sweep {
   /// A mark that is not later than the latest one is ignored.
   void mark(const BeamMark& mark);
 
-  /// [rad], in [0, 2π). Nothing when no mark was heard, when the period is not yet known, and when half a turn has
+  /// [rad], in [0, 2π). Nothing before the first mark, when the period is not yet known, and when half a turn has
   /// passed without a mark: a radar that is silent shows no beam.
   std::optional<double> azimuthAt(double time) const;
 

@@ -34,7 +34,7 @@ int favouredSide(const TrackReport& report) { return report.velocity.x() > 0.0 ?
 
 }  // namespace
 
-void TrackPicture::hear(const TrackReport& report) {
+void TrackPicture::add(const TrackReport& report) {
   const auto key = std::make_pair(report.source, report.uid);
   if (report.state == TrackState::kDropped) {
     tracks_.erase(key);
@@ -45,29 +45,29 @@ void TrackPicture::hear(const TrackReport& report) {
   if (born)
     track.label = next_label_++;
   else
-    leaveTrail(track, report.heard);
+    leaveTrail(track, report.published);
   std::string known = std::move(track.report.identity);
   track.report = report;
-  track.believed = track.believed || report.state != TrackState::kTentative;
+  track.confirmed = track.confirmed || report.state != TrackState::kTentative;
   if (report.identity.empty()) track.report.identity = std::move(known);
 }
 
 void TrackPicture::leaveTrail(LivingTrack& track, double time) const {
   const double spacing = look_.trail_time / kTrailDots;
-  if (track.trail.empty() || track.report.heard - track.trail.back().time >= spacing)
-    track.trail.push_back({track.report.heard, track.report.position});
+  if (track.trail.empty() || track.report.published - track.trail.back().time >= spacing)
+    track.trail.push_back({track.report.published, track.report.position});
   while (!track.trail.empty() && track.trail.front().time < time - look_.trail_time) track.trail.pop_front();
 }
 
 void TrackPicture::expire(double time) {
   for (auto track = tracks_.begin(); track != tracks_.end();)
-    track = time - track->second.report.heard > look_.timeout ? tracks_.erase(track) : std::next(track);
+    track = time - track->second.report.published > look_.timeout ? tracks_.erase(track) : std::next(track);
 }
 
 void TrackPicture::draw(Drawing& drawing, double time, const PpiStyle& style, const std::set<std::size_t>& covered) {
   std::vector<LivingTrack*> shown;
   for (auto& [key, track] : tracks_)
-    if (!track.believed || covered.count(key.first) == 0) shown.push_back(&track);
+    if (!track.confirmed || covered.count(key.first) == 0) shown.push_back(&track);
   for (const LivingTrack* track : shown)
     if (!track->report.symbol_only) drawTrail(drawing, *track, time, style);
   for (const LivingTrack* track : shown) drawSymbol(drawing, track->report, style);

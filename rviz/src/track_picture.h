@@ -22,13 +22,13 @@ enum class TrackState { kTentative, kFirm, kCoasting, kDropped };
 /// Which radars see the aircraft.
 enum class TrackKind { kPrimary, kSecondary, kCorrelated };
 
-/// A tracker's word on one track.
+/// A track update.
 struct TrackReport {
   std::size_t source = 0;  // which tracker
   std::uint32_t uid = 0;   // never used twice by one tracker
   TrackState state = TrackState::kTentative;
   TrackKind kind = TrackKind::kPrimary;
-  double heard = 0.0;        // data time of the word [s]
+  double published = 0.0;    // data time of the message [s]
   double time = 0.0;         // at which position and velocity hold [s]
   Eigen::Vector2d position;  // [m]
   Eigen::Vector2d velocity =
@@ -45,7 +45,7 @@ struct TrackReport {
 struct TrackLook {
   double leader_time = 60.0;  // the speed leader is as long as the track flies in this time [s]
   double trail_time = 120.0;  // age of the oldest dot of a trail [s]
-  double timeout = 30.0;      // a track of which nothing was heard for so long vanishes [s]
+  double timeout = 30.0;      // a track without an update for so long vanishes [s]
 };
 
 /// All living tracks, of any number of trackers: symbol (a circle, with a dot in it when a secondary radar sees the
@@ -55,9 +55,9 @@ class TrackPicture {
  public:
   explicit TrackPicture(const TrackLook& look) : look_(look) {}
 
-  /// Keeps the word; a dropped track is removed.
-  void hear(const TrackReport& report);
-  /// Removes the tracks of which nothing was heard for the time-out.
+  /// Keeps the update; a dropped track is removed.
+  void add(const TrackReport& report);
+  /// Removes the tracks without an update for the time-out.
   void expire(double time);
 
   /// Appends trails, leaders, symbols and labels. Dots of trails fade with their age at `time` [s]. Remembers where the
@@ -78,7 +78,7 @@ class TrackPicture {
     std::deque<TrailDot> trail;  // oldest first, without the present place
     std::uint32_t label = 0;
     std::optional<int> side;  // of the label
-    bool believed = false;    // it was firm or coasting at least once
+    bool confirmed = false;   // it was firm or coasting at least once
   };
   void leaveTrail(LivingTrack& track, double time) const;
   void drawTrail(Drawing& drawing, const LivingTrack& track, double time, const PpiStyle& style) const;

@@ -11,11 +11,11 @@ namespace {
 const PpiStyle kStyle(200e3);
 const TrackLook kLook{60.0, 120.0, 30.0};
 
-TrackReport report(std::uint32_t uid, TrackState state, double heard, double x = 1000.0) {
+TrackReport report(std::uint32_t uid, TrackState state, double published, double x = 1000.0) {
   TrackReport report;
   report.uid = uid;
   report.state = state;
-  report.heard = heard;
+  report.published = published;
   report.position = {x, 50e3};
   report.velocity = {200.0, 0.0};
   report.name = std::to_string(uid);
@@ -38,7 +38,7 @@ double eastEnd(const Drawing& drawing) {
 // The leader is how an operator reads speed and course.
 TEST(TrackPicture, TheSpeedLeaderEndsWhereTheTrackWillBeInAMinute) {
   TrackPicture tracks(kLook);
-  tracks.hear(report(7, TrackState::kFirm, 100.0, 1000.0));
+  tracks.add(report(7, TrackState::kFirm, 100.0, 1000.0));
   EXPECT_NEAR(eastEnd(drawn(tracks, 100.0)), 1000.0 + 60.0 * 200.0, 1e-6);
 }
 
@@ -48,7 +48,7 @@ TEST(TrackPicture, ATrackerBesideTheMainOneHasSymbolsOnly) {
   for (double time : {60.0, 80.0, 100.0}) {
     TrackReport beside = report(7, TrackState::kFirm, time, 1000.0);
     beside.symbol_only = true;
-    tracks.hear(beside);
+    tracks.add(beside);
   }
   const Drawing drawing = drawn(tracks, 100.0);
   EXPECT_TRUE(drawing.labels.empty());
@@ -61,7 +61,7 @@ TEST(TrackPicture, ATrackWithoutVelocityHasNeitherLeaderNorSpeed) {
   TrackReport silent = report(7, TrackState::kFirm, 100.0, 1000.0);
   silent.velocity = {NAN, NAN};
   silent.identity.clear();
-  tracks.hear(silent);
+  tracks.add(silent);
   const Drawing drawing = drawn(tracks, 100.0);
   EXPECT_LT(eastEnd(drawing), 1000.0 + 2.0 * kStyle.symbol);
   EXPECT_EQ(drawing.labels.at(0).text, "7");
@@ -71,13 +71,13 @@ TEST(TrackPicture, ATrackWithoutVelocityHasNeitherLeaderNorSpeed) {
 // 200 m/s are 388.8 kn.
 TEST(TrackPicture, TheLabelSaysNumberSpeedAndIdentity) {
   TrackPicture tracks(kLook);
-  tracks.hear(report(17, TrackState::kFirm, 100.0));
+  tracks.add(report(17, TrackState::kFirm, 100.0));
   EXPECT_EQ(drawn(tracks, 100.0).labels.at(0).text, "17\n389kn\n4271 F350");
 }
 
 TEST(TrackPicture, ATentativeTrackShowsItsNumberOnly) {
   TrackPicture tracks(kLook);
-  tracks.hear(report(17, TrackState::kTentative, 100.0));
+  tracks.add(report(17, TrackState::kTentative, 100.0));
   EXPECT_EQ(drawn(tracks, 100.0).labels.at(0).text, "17");
 }
 
@@ -86,11 +86,11 @@ TEST(TrackPicture, ASingleDetectionHasNoLabel) {
   TrackPicture tracks(kLook);
   TrackReport single = report(17, TrackState::kTentative, 100.0);
   single.velocity.setZero();
-  tracks.hear(single);
+  tracks.add(single);
   EXPECT_TRUE(drawn(tracks, 100.0).labels.empty());
 }
 
-// The operator must see at once which tracks are believed and which are guessed.
+// The operator must see at once which tracks are confirmed and which are tentative.
 TEST(TrackPicture, TheThreeStatesDifferInShapeAndColour) {
   std::set<std::size_t> sizes;
   std::set<float> blues;
@@ -99,7 +99,7 @@ TEST(TrackPicture, TheThreeStatesDifferInShapeAndColour) {
     TrackPicture tracks(kLook);
     TrackReport still = report(1, state, 100.0, 0.0);
     still.velocity = {0.0, 0.0};
-    tracks.hear(still);
+    tracks.add(still);
     const Drawing drawing = drawn(tracks, 100.0);
     blues.insert(drawing.triangles.at(0).color.b);
     widths.insert(eastEnd(drawing));
@@ -115,7 +115,7 @@ TEST(TrackPicture, ThreeKindsOfFirmTracksLookDifferent) {
     TrackPicture tracks(kLook);
     TrackReport of_kind = report(1, TrackState::kFirm, 100.0);
     of_kind.kind = kind;
-    tracks.hear(of_kind);
+    tracks.add(of_kind);
     vertices.insert(drawn(tracks, 100.0).triangles.size());
   }
   EXPECT_EQ(vertices.size(), 3u);
@@ -124,9 +124,9 @@ TEST(TrackPicture, ThreeKindsOfFirmTracksLookDifferent) {
 // A tentative track of a tracker whose tracks are correlated is shown by nobody else.
 TEST(TrackPicture, OfACoveredSourceOnlyWhatWasNeverFirmIsDrawn) {
   TrackPicture tracks(kLook);
-  tracks.hear(report(1, TrackState::kTentative, 100.0));
-  tracks.hear(report(2, TrackState::kFirm, 100.0, 60e3));
-  tracks.hear(report(2, TrackState::kTentative, 106.0, 60e3));
+  tracks.add(report(1, TrackState::kTentative, 100.0));
+  tracks.add(report(2, TrackState::kFirm, 100.0, 60e3));
+  tracks.add(report(2, TrackState::kTentative, 106.0, 60e3));
   Drawing drawing;
   tracks.draw(drawing, 106.0, kStyle, {0});
   ASSERT_EQ(drawing.labels.size(), 1u);
@@ -143,7 +143,7 @@ TEST(TrackPicture, HandedOffAndDesignatedTracksAreMarkedEachInItsOwnWay) {
       TrackReport marked = report(7, TrackState::kFirm, 100.0);
       marked.handed_off = handed_off;
       marked.designated = designated;
-      tracks.hear(marked);
+      tracks.add(marked);
       sizes.insert(drawn(tracks, 100.0).triangles.size());
     }
   }
@@ -152,9 +152,9 @@ TEST(TrackPicture, HandedOffAndDesignatedTracksAreMarkedEachInItsOwnWay) {
 
 TEST(TrackPicture, ADroppedTrackVanishes) {
   TrackPicture tracks(kLook);
-  tracks.hear(report(7, TrackState::kFirm, 100.0));
-  tracks.hear(report(8, TrackState::kFirm, 100.0, 80e3));
-  tracks.hear(report(7, TrackState::kDropped, 106.0));
+  tracks.add(report(7, TrackState::kFirm, 100.0));
+  tracks.add(report(8, TrackState::kFirm, 100.0, 80e3));
+  tracks.add(report(7, TrackState::kDropped, 106.0));
   const Drawing drawing = drawn(tracks, 106.0);
   ASSERT_EQ(drawing.labels.size(), 1u);
   EXPECT_EQ(drawing.labels[0].text.substr(0, 2), "8\n");
@@ -163,7 +163,7 @@ TEST(TrackPicture, ADroppedTrackVanishes) {
 // When a tracker stops, its picture must not stay as if it were true.
 TEST(TrackPicture, TracksOfASilentTrackerVanishAfterTheTimeOut) {
   TrackPicture tracks(kLook);
-  tracks.hear(report(7, TrackState::kFirm, 100.0));
+  tracks.add(report(7, TrackState::kFirm, 100.0));
   tracks.expire(130.0);
   EXPECT_FALSE(drawn(tracks, 130.0).triangles.empty());
   tracks.expire(130.1);
@@ -177,8 +177,8 @@ TEST(TrackPicture, TracksOfTwoTrackersWithTheSameNumberAreTwo) {
   TrackPicture tracks(kLook);
   TrackReport other = report(7, TrackState::kCoasting, 100.0, 90e3);
   other.source = 1;
-  tracks.hear(report(7, TrackState::kFirm, 100.0));
-  tracks.hear(other);
+  tracks.add(report(7, TrackState::kFirm, 100.0));
+  tracks.add(other);
   const Drawing drawing = drawn(tracks, 100.0);
   ASSERT_EQ(drawing.labels.size(), 2u);
   EXPECT_NE(drawing.labels[0].id, drawing.labels[1].id);
@@ -188,16 +188,16 @@ TEST(TrackPicture, TracksOfTwoTrackersWithTheSameNumberAreTwo) {
 
 TEST(TrackPicture, ALabelKeepsItsNumberWhileTheTrackLives) {
   TrackPicture tracks(kLook);
-  tracks.hear(report(7, TrackState::kTentative, 100.0));
+  tracks.add(report(7, TrackState::kTentative, 100.0));
   const std::uint32_t id = drawn(tracks, 100.0).labels.at(0).id;
-  tracks.hear(report(7, TrackState::kFirm, 106.0));
+  tracks.add(report(7, TrackState::kFirm, 106.0));
   EXPECT_EQ(drawn(tracks, 106.0).labels.at(0).id, id);
 }
 
 // The trail shows a turn that the present velocity hides. Dots lie where the track was 10 s, 20 s ... ago.
 TEST(TrackPicture, TheTrailShowsWhereTheTrackWas) {
   TrackPicture tracks(kLook);
-  for (int i = 0; i <= 30; ++i) tracks.hear(report(7, TrackState::kFirm, 10.0 * i, 2000.0 * i));
+  for (int i = 0; i <= 30; ++i) tracks.add(report(7, TrackState::kFirm, 10.0 * i, 2000.0 * i));
   double west = 1e9;
   const Drawing drawing = drawn(tracks, 300.0);
   for (const Vertex& vertex : drawing.triangles)
@@ -209,9 +209,9 @@ TEST(TrackPicture, TheTrailShowsWhereTheTrackWas) {
 // Over a long run each track's memory is bounded: 12 dots, whatever the rate of updates.
 TEST(TrackPicture, TheTrailHasAtMostADozenDots) {
   TrackPicture tracks(kLook);
-  tracks.hear(report(7, TrackState::kFirm, 0.0));
+  tracks.add(report(7, TrackState::kFirm, 0.0));
   const std::size_t bare = drawn(tracks, 0.0).triangles.size();
-  for (int i = 1; i < 10000; ++i) tracks.hear(report(7, TrackState::kFirm, 0.1 * i));
+  for (int i = 1; i < 10000; ++i) tracks.add(report(7, TrackState::kFirm, 0.1 * i));
   EXPECT_LE(drawn(tracks, 999.9).triangles.size(), bare + std::size_t{13} * 6);
 }
 
