@@ -76,7 +76,7 @@ void ArraySensor::onTracks(const tws_msgs::TrackDatabase& database) {
   const std::string place = " in " + database_topic_ + " at " + std::to_string(database.header.stamp.toSec());
   try {
     auto tracks = toArrayTracks(database, name(), radar_.mapToArray());
-    if (!loop_.hear(database.header.stamp, std::move(tracks)))
+    if (!loop_.add(database.header.stamp, std::move(tracks)))
       bus_->counter("commands late").add("a track database came late" + place);
   } catch (const std::invalid_argument& error) {
     bus_->counter("refused track databases").add(error.what() + place);

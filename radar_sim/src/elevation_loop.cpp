@@ -57,7 +57,7 @@ void ElevationLoop::onMark(const tws::RadarSector& sector) {
 
 void ElevationLoop::onRequests(const tws_msgs::ElevationRequests& requests) {
   const ros::Time stamp = requests.header.stamp;
-  if (loop_.hear(stamp, {tws_runtime::toSeconds(stamp), ordersOf(requests)})) return;
+  if (loop_.add(stamp, {tws_runtime::toSeconds(stamp), ordersOf(requests)})) return;
   bus_.counter("commands late")
       .add("elevation requests came late in " + topic_ + " at " + std::to_string(stamp.toSec()));
   loop_.stopWaiting();

@@ -84,7 +84,7 @@ void RangeSensor::applyCommands() {
 }
 
 void RangeSensor::onGate(const tws_msgs::RangeGate& gate) {
-  if (loop_.hear(gate.header.stamp, gate)) return;
+  if (loop_.add(gate.header.stamp, gate)) return;
   bus_->counter("commands late")
       .add("a range gate came late in " + gate_topic_ + " at " + std::to_string(gate.header.stamp.toSec()));
 }

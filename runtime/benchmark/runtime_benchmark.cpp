@@ -42,17 +42,17 @@ tws_msgs::SectorMark markMessage(std::uint32_t entered, std::size_t plots) {
 void BM_LocalGraphDelivery(benchmark::State& state) {
   LocalGraph graph(std::cerr);
   auto publisher = graph.addNode("sender").advertise<tws_msgs::Detections>("/detections");
-  std::uint64_t heard = 0;
+  std::uint64_t received = 0;
   for (int i = 0; i < state.range(0); ++i)
     graph.addNode("ear" + std::to_string(i)).subscribe<tws_msgs::Detections>("/detections", [&](const auto&) {
-      ++heard;
+      ++received;
     });
   const auto message = boost::make_shared<const tws_msgs::Detections>(sectorMessage(0, 10));
   for (auto _ : state) {
     publisher.publish(message);
     graph.drain();
   }
-  state.SetItemsProcessed(static_cast<std::int64_t>(heard));
+  state.SetItemsProcessed(static_cast<std::int64_t>(received));
 }
 BENCHMARK(BM_LocalGraphDelivery)->Arg(1)->Arg(10);
 

@@ -68,18 +68,18 @@ class BagTest : public ::testing::Test {
     return path(name);
   }
 
-  /// What a node hears on /numbers when a bag is replayed.
+  /// What a node receives on /numbers when a bag is replayed.
   std::vector<int> replay(const std::string& bag, const std::string& record_to = "") {
     LocalGraph graph(log);
-    std::vector<int> heard;
+    std::vector<int> received;
     graph.addNode("ear").subscribe<std_msgs::Int32>("/numbers", [&](const std_msgs::Int32& message) {
       EXPECT_EQ(graph.now(), ros::Time(5.0 + message.data));
-      heard.push_back(message.data);
+      received.push_back(message.data);
     });
     BagSource source(graph, bag);
     if (!record_to.empty()) graph.record(record_to);
     runOffline(graph, {&source});
-    return heard;
+    return received;
   }
 
   std::string errorOf(const std::function<void()>& action) {
@@ -170,24 +170,24 @@ TEST_F(BagTest, TopicsThatNoNodeKnowsPassThroughAsTheyAre) {
 TEST_F(BagTest, TopicsThatTheNodesPublishThemselvesAreNotReplayed) {
   const std::string bag = recordNumbers("own.bag");
   LocalGraph graph(log);
-  int heard = 0;
-  graph.addNode("ear").subscribe<std_msgs::Int32>("/numbers", [&](const std_msgs::Int32&) { ++heard; });
+  int received = 0;
+  graph.addNode("ear").subscribe<std_msgs::Int32>("/numbers", [&](const std_msgs::Int32&) { ++received; });
   graph.addNode("new").advertise<std_msgs::Int32>("/numbers");
   BagSource source(graph, bag);
   runOffline(graph, {&source});
-  EXPECT_EQ(heard, 0);
+  EXPECT_EQ(received, 0);
 }
 
 TEST_F(BagTest, TheDurationIsCountedFromTheFirstMessage) {
   const std::string bag = recordNumbers("duration.bag");
   LocalGraph graph(log);
-  std::vector<int> heard;
+  std::vector<int> received;
   graph.addNode("ear").subscribe<std_msgs::Int32>("/numbers",
-                                                  [&](const std_msgs::Int32& m) { heard.push_back(m.data); });
+                                                  [&](const std_msgs::Int32& m) { received.push_back(m.data); });
   BagSource source(graph, bag);
   EXPECT_EQ(source.endTime(), ros::Time(104.0));
   runOffline(graph, {&source}, ros::Duration(10.0));
-  EXPECT_EQ(heard, upTo(11));
+  EXPECT_EQ(received, upTo(11));
 }
 
 // If this fails, of two sources the later one goes first and data time is wrong for the other.
@@ -244,14 +244,14 @@ TEST_F(BagTest, AMessageWithTooFewBytesIsNamedAndTheNextOneFollows) {
     bag.write("/numbers", ros::Time(8.0), good);
   }
   LocalGraph graph(log);
-  std::vector<int> heard;
+  std::vector<int> received;
   graph.addNode("ear").subscribe<std_msgs::Int32>("/numbers",
-                                                  [&](const std_msgs::Int32& m) { heard.push_back(m.data); });
+                                                  [&](const std_msgs::Int32& m) { received.push_back(m.data); });
   BagSource source(graph, path("short.bag"));
   expectError([&] { source.step(); }, {path("short.bag"), "/numbers", "7.5"});
   source.step();
   graph.drain();
-  EXPECT_EQ(heard, std::vector<int>{3});
+  EXPECT_EQ(received, std::vector<int>{3});
   EXPECT_FALSE(source.nextTime());
 }
 

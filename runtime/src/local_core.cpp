@@ -29,7 +29,7 @@ class Busy {
 
 LocalCore::LocalCore(std::ostream& log) : log_(log) {
   subscribe("/tf_static", messageType<tf2_msgs::TFMessage>(),
-            [this](const boost::shared_ptr<const void>& message) { hearStaticTransforms(message); });
+            [this](const boost::shared_ptr<const void>& message) { onStaticTransforms(message); });
 }
 
 LocalCore::~LocalCore() = default;
@@ -55,7 +55,7 @@ void LocalCore::serve(const std::string& service, const ServiceType& type) {
 
 bool LocalCore::call(const std::string& service, const std::type_info& type, void* request, void* response) {
   const auto found = services_.find(service);
-  if (found == services_.end()) throw std::runtime_error("nobody serves " + service);
+  if (found == services_.end()) throw std::runtime_error("no node offers the service " + service);
   if (*found->second.type != type)
     throw std::runtime_error("service " + service + " is of type " + found->second.datatype);
   bool answered = false;
@@ -123,7 +123,7 @@ void LocalCore::deliver(const Delivery& delivery) {
   for (std::size_t i = 0; i < listeners; ++i) topic.handlers[i](delivery.message);
 }
 
-void LocalCore::hearStaticTransforms(const boost::shared_ptr<const void>& message) {
+void LocalCore::onStaticTransforms(const boost::shared_ptr<const void>& message) {
   for (const auto& transform : static_cast<const tf2_msgs::TFMessage*>(message.get())->transforms)
     transforms_.setTransform(transform, "local", true);
 }

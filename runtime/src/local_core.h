@@ -21,7 +21,7 @@ namespace tws_runtime {
 class LocalBus;
 class LocalChannel;
 
-/// Who hears and who sends on one topic.
+/// Subscribers and publishers of one topic.
 struct LocalTopic {
   using Handler = std::function<void(const boost::shared_ptr<const void>&)>;
 
@@ -72,7 +72,7 @@ class LocalCore {
   };
   LocalTopic& topic(const std::string& name, const MessageType& type);
   void deliver(const Delivery& delivery);
-  void hearStaticTransforms(const boost::shared_ptr<const void>& message);
+  void onStaticTransforms(const boost::shared_ptr<const void>& message);
 
   std::ostream& log_;
   ros::Time now_;

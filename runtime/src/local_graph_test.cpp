@@ -20,18 +20,18 @@ std_msgs::Int32 number(int value) {
   return message;
 }
 
-/// A graph with two nodes and a memory of what was heard.
+/// A graph with two nodes and a memory of what was received.
 class LocalGraphTest : public ::testing::Test {
  protected:
-  void hear(Bus& bus, const std::string& topic) {
-    bus.subscribe<std_msgs::Int32>(topic, [this](const std_msgs::Int32& message) { heard.push_back(message.data); });
+  void listen(Bus& bus, const std::string& topic) {
+    bus.subscribe<std_msgs::Int32>(topic, [this](const std_msgs::Int32& message) { received.push_back(message.data); });
   }
 
   std::ostringstream log;
   LocalGraph graph{log};
   Bus& a = graph.addNode("a");
   Bus& b = graph.addNode("b");
-  std::vector<int> heard;
+  std::vector<int> received;
 };
 
 // If this fails, nodes see half-done states of each other and runs differ with the depth of the calls.
@@ -40,14 +40,14 @@ TEST_F(LocalGraphTest, WhatAHandlerPublishesIsDeliveredAfterItReturnsFirstInFirs
   auto answers = b.advertise<std_msgs::Int32>("/answers");
   b.subscribe<std_msgs::Int32>("/numbers", [&](const std_msgs::Int32& message) {
     answers.publish(number(10 * message.data));
-    heard.push_back(message.data);
+    received.push_back(message.data);
   });
-  hear(a, "/answers");
+  listen(a, "/answers");
   first.publish(number(1));
   first.publish(number(2));
-  EXPECT_TRUE(heard.empty());
+  EXPECT_TRUE(received.empty());
   graph.drain();
-  EXPECT_EQ(heard, (std::vector<int>{1, 2, 10, 20}));
+  EXPECT_EQ(received, (std::vector<int>{1, 2, 10, 20}));
 }
 
 // If this fails, a graph copies every message and offline runs slow down.
@@ -55,7 +55,7 @@ TEST_F(LocalGraphTest, ASharedMessageReachesItsHandlersWithoutACopy) {
   auto publisher = a.advertise<std_msgs::Int32>("/numbers");
   const auto message = boost::make_shared<const std_msgs::Int32>(number(1));
   const std_msgs::Int32* seen = nullptr;
-  b.subscribe<std_msgs::Int32>("/numbers", [&](const std_msgs::Int32& heard_message) { seen = &heard_message; });
+  b.subscribe<std_msgs::Int32>("/numbers", [&](const std_msgs::Int32& message) { seen = &message; });
   publisher.publish(message);
   graph.drain();
   EXPECT_EQ(seen, message.get());
@@ -70,19 +70,19 @@ TEST_F(LocalGraphTest, ALatchedTopicRepeatsItsLastMessageToALateSubscriberAndOth
     fleeting.publish(number(-i));
   }
   graph.drain();
-  hear(b, "/latched");
-  hear(b, "/fleeting");
+  listen(b, "/latched");
+  listen(b, "/fleeting");
   graph.drain();
-  EXPECT_EQ(heard, std::vector<int>{2});
+  EXPECT_EQ(received, std::vector<int>{2});
 }
 
 // If this fails, a node that subscribes in answer to a message acts twice on it, or never.
 TEST_F(LocalGraphTest, ASubscriberThatComesWhileALatchedMessageIsOnItsWayGetsItOnce) {
   auto latched = a.advertise<std_msgs::Int32>("/latched", true);
-  b.subscribe<std_msgs::Int32>("/latched", [&](const std_msgs::Int32&) { hear(b, "/latched"); });
+  b.subscribe<std_msgs::Int32>("/latched", [&](const std_msgs::Int32&) { listen(b, "/latched"); });
   latched.publish(number(7));
   graph.drain();
-  EXPECT_EQ(heard, std::vector<int>{7});
+  EXPECT_EQ(received, std::vector<int>{7});
 }
 
 // If this fails, a node reads another type's bytes as its own.
@@ -102,10 +102,10 @@ TEST_F(LocalGraphTest, TwoTypesOnOneTopicAreRefusedByAnErrorThatNamesTopicAndTyp
 TEST_F(LocalGraphTest, APrivateNameIsTheNodesOwnAndRemapsAreFollowed) {
   Bus& c = graph.addNode("c", YAML::Node(), {{"/c/out", "/a/in"}});
   auto publisher = c.advertise<std_msgs::Int32>("~out");
-  hear(a, "~in");
+  listen(a, "~in");
   publisher.publish(number(3));
   graph.drain();
-  EXPECT_EQ(heard, std::vector<int>{3});
+  EXPECT_EQ(received, std::vector<int>{3});
   EXPECT_TRUE(graph.isPublished("/a/in"));
   EXPECT_FALSE(graph.isPublished("/c/out"));
   EXPECT_THROW(a.advertise<std_msgs::Int32>("~"), std::invalid_argument);
@@ -126,20 +126,20 @@ TEST_F(LocalGraphTest, ARelativeNameBelongsToTheNodesNamespace) {
 TEST_F(LocalGraphTest, ATaskWaitsForAllThatHasArrivedAndOfflineNothingIsLive) {
   auto numbers = a.advertise<std_msgs::Int32>("/numbers");
   b.subscribe<std_msgs::Int32>("/numbers", [&](const std_msgs::Int32& message) {
-    heard.push_back(message.data);
-    if (message.data == 1) b.whenDrained([&] { heard.push_back(100); });
+    received.push_back(message.data);
+    if (message.data == 1) b.whenDrained([&] { received.push_back(100); });
   });
   numbers.publish(number(1));
   numbers.publish(number(2));
   graph.drain();
-  EXPECT_EQ(heard, (std::vector<int>{1, 2, 100}));
+  EXPECT_EQ(received, (std::vector<int>{1, 2, 100}));
   EXPECT_FALSE(b.live());
 }
 
 // If this fails, the operator's requests cannot be tested without a master.
 TEST_F(LocalGraphTest, AServiceAnswersAndWhatItPublishesIsDelivered) {
   auto publisher = a.advertise<std_msgs::Int32>("/dropped");
-  hear(b, "/dropped");
+  listen(b, "/dropped");
   a.serve<tws_msgs::DropTrack>("~drop",
                                [&](tws_msgs::DropTrack::Request& request, tws_msgs::DropTrack::Response& response) {
                                  for (const auto track : request.numbers)
@@ -152,7 +152,7 @@ TEST_F(LocalGraphTest, AServiceAnswersAndWhatItPublishesIsDelivered) {
   request.numbers = {4, 5};
   EXPECT_TRUE(graph.call<tws_msgs::DropTrack>("/a/drop", request, response));
   EXPECT_EQ(response.message, "done");
-  EXPECT_EQ(heard, (std::vector<int>{4, 5}));
+  EXPECT_EQ(received, (std::vector<int>{4, 5}));
   EXPECT_THROW(graph.call<tws_msgs::DropTrack>("/a/drip", request, response), std::runtime_error);
   tws_msgs::InitiateTrack::Request other_request;
   tws_msgs::InitiateTrack::Response other_response;
@@ -173,13 +173,13 @@ TEST_F(LocalGraphTest, AnExceptionOfAHandlerReachesTheCallerAndTheGraphGoesOn) {
   auto publisher = a.advertise<std_msgs::Int32>("/numbers");
   b.subscribe<std_msgs::Int32>("/numbers", [&](const std_msgs::Int32& message) {
     if (message.data == 1) throw std::runtime_error("no");
-    heard.push_back(message.data);
+    received.push_back(message.data);
   });
   publisher.publish(number(1));
   publisher.publish(number(2));
   EXPECT_THROW(graph.drain(), std::runtime_error);
   graph.drain();
-  EXPECT_EQ(heard, std::vector<int>{2});
+  EXPECT_EQ(received, std::vector<int>{2});
 }
 
 // If this fails, time-outs in data time depend on when messages happen to come.
@@ -214,11 +214,11 @@ TEST_F(LocalGraphTest, WhatATimerPublishesIsDeliveredBeforeTimeMovesOn) {
   a.everyData(1.0, [&](ros::Time deadline) { publisher.publish(number(static_cast<int>(deadline.sec))); });
   b.subscribe<std_msgs::Int32>("/ticks", [&](const std_msgs::Int32& message) {
     EXPECT_EQ(b.now(), ros::Time(static_cast<std::uint32_t>(message.data), 0));
-    heard.push_back(message.data);
+    received.push_back(message.data);
   });
   graph.advanceTo(ros::Time(10, 0));
   graph.advanceTo(ros::Time(12, 1));
-  EXPECT_EQ(heard, (std::vector<int>{10, 11, 12}));
+  EXPECT_EQ(received, (std::vector<int>{10, 11, 12}));
 }
 
 TEST_F(LocalGraphTest, ATimerWithoutAPeriodIsRefused) {

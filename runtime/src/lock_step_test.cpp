@@ -15,7 +15,7 @@ ros::Time at(double seconds) { return ros::Time(seconds); }
 TEST(LockStep, ACommandTakesEffectAtItsStampPlusTheLatencyHoweverEarlyItCame) {
   LockStep<std::string> loop(ros::Duration(0.2));
   loop.sent(at(10.0));
-  EXPECT_TRUE(loop.hear(at(10.0), "a"));
+  EXPECT_TRUE(loop.add(at(10.0), "a"));
   EXPECT_EQ(loop.takeDue(at(10.1)), Commands{});
   EXPECT_EQ(loop.takeDue(at(10.2)), Commands{"a"});
   EXPECT_EQ(loop.takeDue(at(10.3)), Commands{});
@@ -23,8 +23,8 @@ TEST(LockStep, ACommandTakesEffectAtItsStampPlusTheLatencyHoweverEarlyItCame) {
 
 TEST(LockStep, CommandsTakeEffectInTheOrderOfTheirStamps) {
   LockStep<std::string> loop(ros::Duration(0.0));
-  loop.hear(at(2.0), "second");
-  loop.hear(at(1.0), "first");
+  loop.add(at(2.0), "second");
+  loop.add(at(1.0), "first");
   EXPECT_EQ(loop.takeDue(at(3.0)), (Commands{"first", "second"}));
 }
 
@@ -34,7 +34,7 @@ TEST(LockStep, AStepWaitsForTheAnswersThatItGoesByAndForNoOthers) {
   loop.sent(at(1.1));
   EXPECT_TRUE(loop.isReady(at(1.05)));
   EXPECT_FALSE(loop.isReady(at(1.1)));
-  loop.hear(at(1.0), "");
+  loop.add(at(1.0), "");
   EXPECT_TRUE(loop.isReady(at(1.1)));
   EXPECT_FALSE(loop.isReady(at(1.2)));
 }
@@ -43,7 +43,7 @@ TEST(LockStep, AStepWaitsForTheAnswersThatItGoesByAndForNoOthers) {
 TEST(LockStep, AnAnswerSettlesTheReportsBeforeItToo) {
   LockStep<std::string> loop(ros::Duration(0.0));
   for (const double time : {1.0, 2.0, 3.0}) loop.sent(at(time));
-  loop.hear(at(2.0), "");
+  loop.add(at(2.0), "");
   EXPECT_TRUE(loop.isReady(at(2.9)));
   EXPECT_FALSE(loop.isReady(at(3.0)));
 }
@@ -55,7 +55,7 @@ TEST(LockStep, AfterAWaitInVainNothingIsWaitedForUntilAnAnswerComesAgain) {
   loop.stopWaiting();
   loop.sent(at(2.0));
   EXPECT_TRUE(loop.isReady(at(9.0)));
-  loop.hear(at(2.0), "");
+  loop.add(at(2.0), "");
   loop.sent(at(3.0));
   EXPECT_FALSE(loop.isReady(at(9.0)));
 }
@@ -63,24 +63,24 @@ TEST(LockStep, AfterAWaitInVainNothingIsWaitedForUntilAnAnswerComesAgain) {
 TEST(LockStep, ALateCommandIsSaidToBeLateAndTakesEffectAtTheNextStep) {
   LockStep<std::string> loop(ros::Duration(0.1));
   loop.takeDue(at(1.1));
-  EXPECT_FALSE(loop.hear(at(1.0), "late"));
-  EXPECT_TRUE(loop.hear(at(1.1), "in time"));
+  EXPECT_FALSE(loop.add(at(1.0), "late"));
+  EXPECT_TRUE(loop.add(at(1.1), "in time"));
   EXPECT_EQ(loop.takeDue(at(1.2)), (Commands{"late", "in time"}));
 }
 
 // A database that is older than the one in force would turn the radar back.
 TEST(LockStep, ACommandOlderThanOneInForceIsIgnored) {
   LockStep<std::string> loop(ros::Duration(0.0));
-  loop.hear(at(2.0), "new");
+  loop.add(at(2.0), "new");
   loop.takeDue(at(2.0));
-  EXPECT_FALSE(loop.hear(at(1.0), "old"));
+  EXPECT_FALSE(loop.add(at(1.0), "old"));
   EXPECT_EQ(loop.takeDue(at(3.0)), Commands{});
 }
 
 // 0.1 s and 0.3 s are no whole numbers of binary fractions; a command a nanosecond late would cost a whole period.
 TEST(LockStep, ForgivesTheRoundingOfTimesOnAGrid) {
   LockStep<std::string> loop(ros::Duration(0, 100000001));
-  EXPECT_TRUE(loop.hear(at(1.0), "a"));
+  EXPECT_TRUE(loop.add(at(1.0), "a"));
   EXPECT_EQ(loop.takeDue(ros::Time(1, 100000000)), Commands{"a"});
 }
 

@@ -36,20 +36,20 @@ class RequestLogTest : public ::testing::Test {
 };
 
 TEST_F(RequestLogTest, SaysAfterWhichSectorOfWhichRunARequestTookEffect) {
-  std::vector<Request> told;
-  node.subscribe<Request>("/tracker/operator_requests", [&](const Request& request) { told.push_back(request); });
+  std::vector<Request> requests;
+  node.subscribe<Request>("/tracker/operator_requests", [&](const Request& request) { requests.push_back(request); });
   log.beginNewRun();
   Request request = log.blank(Request::DROP);
   log.stamp(request, {"a", 77, 12.5});
   log.publish(request);
   graph.drain();
-  ASSERT_EQ(told.size(), 1u);
-  EXPECT_EQ(told[0].header.stamp, ros::Time(12.5));
-  EXPECT_EQ(told[0].header.frame_id, "map");
-  EXPECT_EQ(told[0].tracker, "tracker");
-  EXPECT_EQ(told[0].radar, "a");
-  EXPECT_EQ(told[0].running_sector, 77u);
-  EXPECT_EQ(told[0].run, 1u);
+  ASSERT_EQ(requests.size(), 1u);
+  EXPECT_EQ(requests[0].header.stamp, ros::Time(12.5));
+  EXPECT_EQ(requests[0].header.frame_id, "map");
+  EXPECT_EQ(requests[0].tracker, "tracker");
+  EXPECT_EQ(requests[0].radar, "a");
+  EXPECT_EQ(requests[0].running_sector, 77u);
+  EXPECT_EQ(requests[0].run, 1u);
 }
 
 // If this fails, a replay repeats the operator's requests at another time than he made them, or in another run.

@@ -138,7 +138,7 @@ class RosBus::Impl {
     reported_bad_news = bad_news;
   }
 
-  void hearStaticTransforms(const tf2_msgs::TFMessage& message) {
+  void onStaticTransforms(const tf2_msgs::TFMessage& message) {
     for (const auto& transform : message.transforms)
       if (!transforms.setTransform(transform, "tf_static", true))
         counters.get("refused transforms").add(transform.header.frame_id + " to " + transform.child_frame_id);
@@ -167,7 +167,7 @@ class RosBus::Impl {
 };
 
 RosBus::RosBus(const ros::NodeHandle& private_handle) : impl_(std::make_unique<Impl>(private_handle)) {
-  subscribe<tf2_msgs::TFMessage>("/tf_static", [this](const auto& message) { impl_->hearStaticTransforms(message); });
+  subscribe<tf2_msgs::TFMessage>("/tf_static", [this](const auto& message) { impl_->onStaticTransforms(message); });
 }
 
 RosBus::~RosBus() = default;

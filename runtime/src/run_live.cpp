@@ -15,7 +15,7 @@ constexpr double kClockPeriod = 0.02;  // [s of wall time]: /clock goes out at l
 
 constexpr double kMostMadeUp = 0.1;  // [s of wall time]
 
-/// The topics of `wanted` that have not got their subscribers yet, in words; empty: none.
+/// The topics of `wanted` that have not got their subscribers yet, as text; empty: none.
 std::string missingSubscribers(const RosBus& bus, const std::vector<std::string>& wanted) {
   std::map<std::string, std::uint32_t> least;
   for (const std::string& topic : wanted) ++least[topic];
@@ -44,7 +44,7 @@ void waitForCommands(RosBus& bus, Source& source, double timeout) {
   if (!source.isReady()) source.stopWaiting();
 }
 
-/// Data time that runs `rate` times as fast as the wall clock, and tells everybody.
+/// Data time that runs `rate` times as fast as the wall clock, and publishes it.
 class PacedClock {
  public:
   PacedClock(RosBus& bus, double rate)
@@ -124,14 +124,14 @@ void runLive(RosBus& bus, Source& source, const LiveOptions& options) {
 void runFeed(RosBus& bus, Feed& feed) {
   constexpr double kPollPeriod = 0.005;  // [s]
   Publisher<rosgraph_msgs::Clock> clock = bus.advertise<rosgraph_msgs::Clock>("/clock");
-  ros::WallTime told;
+  ros::WallTime published;
   while (bus.ok()) {
     const std::optional<ros::Time> time = feed.poll();
-    if (time && (ros::WallTime::now() - told).toSec() >= kClockPeriod) {
+    if (time && (ros::WallTime::now() - published).toSec() >= kClockPeriod) {
       rosgraph_msgs::Clock message;
       message.clock = *time;
       clock.publish(message);
-      told = ros::WallTime::now();
+      published = ros::WallTime::now();
     }
     bus.spinFor(kPollPeriod);
   }

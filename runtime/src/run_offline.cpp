@@ -24,11 +24,11 @@ Next earliest(const std::vector<Source*>& sources) {
 }  // namespace
 
 void runOffline(LocalGraph& graph, const std::vector<Source*>& sources, ros::Duration duration,
-                const std::function<bool()>& goOn) {
+                const std::function<bool()>& continues) {
   const ros::Time start = earliest(sources).time;
   for (Next next = earliest(sources); next.source; next = earliest(sources)) {
     if (next.time > start && next.time - start > duration) break;
-    if (goOn && !goOn()) break;
+    if (continues && !continues()) break;
     graph.advanceTo(next.time);
     next.source->step();
     graph.drain();

@@ -188,7 +188,7 @@ bool SectorJoin::releaseNext(double limit) {
   return true;
 }
 
-/// When the beam left the next sector: its mark says it, else its detections, else the nearest later crossing tells
+/// When the beam left the next sector: its mark says it, else its detections, else the nearest later crossing gives
 /// about when.
 std::optional<double> SectorJoin::leaveTime() const {
   const auto mark = marks_.upper_bound(next_);

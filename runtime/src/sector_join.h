@@ -52,7 +52,7 @@ class SectorJoin {
   };
   struct Events {
     std::function<void(tws::RadarSector)> sector;
-    /// Something was wrong: the counter's name and the reason in words.
+    /// Something was wrong: the counter's name and the reason.
     std::function<void(const std::string& counter, const std::string& reason)> fault;
   };
 

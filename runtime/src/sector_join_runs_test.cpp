@@ -24,18 +24,19 @@ TEST(SectorJoinRuns, ANewRunBeginsAnew) {
 }
 
 // If this fails, a single damaged message throws away all tracks or stalls the radar.
-TEST(SectorJoinRuns, OneMadStampOrNumberDoesNoHarm) {
-  for (const double mad_time : {0.0, 1e9, 20.0}) {
+TEST(SectorJoinRuns, OneWrongStampOrNumberDoesNoHarm) {
+  for (const double wrong_time : {0.0, 1e9, 20.0}) {
     std::vector<Message> messages = run(0, 100);
-    std::get<SectorCrossing>(messages[120]).time = mad_time;  // The mark that closes sector 59.
+    std::get<SectorCrossing>(messages[120]).time = wrong_time;  // The mark that closes sector 59.
     Joined joined;
     joined.add(messages);
     expectRun(joined.sectors, 0, 100);
-    EXPECT_EQ(joined.faults, (std::map<std::string, int>{{"lost sector marks", 1}, {"stray messages", 1}})) << mad_time;
+    EXPECT_EQ(joined.faults, (std::map<std::string, int>{{"lost sector marks", 1}, {"stray messages", 1}}))
+        << wrong_time;
   }
-  for (const std::uint32_t mad_number : {0u, 4294967295u, 100000u}) {
+  for (const std::uint32_t wrong_number : {0u, 4294967295u, 100000u}) {
     std::vector<Message> messages = run(0, 100);
-    std::get<SectorCrossing>(messages[120]).running = mad_number;
+    std::get<SectorCrossing>(messages[120]).running = wrong_number;
     Joined joined;
     joined.add(messages);
     expectRun(joined.sectors, 0, 100);
@@ -57,18 +58,18 @@ TEST(SectorJoinRuns, DetectionsAndTheirMarkThatAreDamagedTogetherDoNoHarm) {
   }
 }
 
-TEST(SectorJoinRuns, AMadMessageThatComesTwiceDoesNoHarmEither) {
+TEST(SectorJoinRuns, AnOutlierThatComesTwiceDoesNoHarmEither) {
   std::vector<Message> messages = run(0, 100);
   std::get<SectorCrossing>(messages[120]).time = 0.0;
-  const Message mad = messages[120];
-  messages.insert(messages.begin() + 120, mad);
+  const Message outlier = messages[120];
+  messages.insert(messages.begin() + 120, outlier);
   Joined joined;
   joined.add(messages);
   expectRun(joined.sectors, 0, 100);
   EXPECT_EQ(joined.faults["stray messages"], 2);
 }
 
-TEST(SectorJoinRuns, AMadFirstStampIsOvercome) {
+TEST(SectorJoinRuns, AWrongFirstStampIsOvercome) {
   std::vector<Message> messages = run(0, 100);
   std::get<SectorCrossing>(messages[0]).time = 1e9;
   Joined joined;
@@ -161,7 +162,7 @@ TEST(SectorJoinRuns, NumbersGoOnWhereThoseOfTheMessagesWrap) {
   EXPECT_TRUE(joined.faults.empty());
 }
 
-// If this fails, one mad plot reaches the tracker's filters.
+// If this fails, one bad plot reaches the tracker's filters.
 TEST(SectorJoinRuns, APlotFarFromItsSectorsTimeIsDroppedAndTheOthersAreSorted) {
   SectorDetections detections = detectionsOf(3);
   std::swap(detections.plots[0], detections.plots[2]);

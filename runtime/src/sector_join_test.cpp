@@ -152,7 +152,7 @@ TEST(SectorJoin, ACountThatDiffersFromTheMarksIsSaidAndTheSectorIsGivenAllTheSam
             std::vector<std::string>{"sector 2 (running 2), left at 0.375 s: 2 detections came; its mark counts 7"});
 }
 
-// Whoever joins late takes part from the first sector that it heard of.
+// Whoever joins late takes part from the first sector that it received.
 TEST(SectorJoin, AMessageFromBeforeTheFirstSectorIsLate) {
   Joined joined;
   joined.add(run(5, 10));
@@ -161,7 +161,7 @@ TEST(SectorJoin, AMessageFromBeforeTheFirstSectorIsLate) {
   EXPECT_EQ(joined.faults, (std::map<std::string, int>{{"late messages", 1}, {"duplicate messages", 1}}));
 }
 
-TEST(SectorJoin, WhenTheTwoMessagesDisagreeTheMarkTellsTheTime) {
+TEST(SectorJoin, WhenTheTwoMessagesDisagreeTheMarkGivesTheTime) {
   std::vector<Message> messages = run(0, 10);
   for (Message& message : messages)
     if (auto* detections = std::get_if<SectorDetections>(&message)) detections->leave_time += 0.01;

@@ -20,7 +20,7 @@ inline SectorDetections detectionsOf(std::uint32_t sector, double epoch = 0.0) {
   SectorDetections detections;
   detections.running = sector;
   detections.leave_time = epoch + kSectorTime * (sector + 1);
-  for (std::uint32_t i = 0; i < sector % 4; ++i) {  // None to three plots, told apart by their ranges.
+  for (std::uint32_t i = 0; i < sector % 4; ++i) {  // None to three plots, distinguished by their ranges.
     tws::Plot plot;
     plot.time = epoch + kSectorTime * (sector + 0.25 * i);
     plot.range = 1000.0 * sector + i;

@@ -4,8 +4,8 @@
 
 namespace tws_runtime {
 
-/// The name under which the publisher of a topic speaks: that of its first message, until three in a row bear another
-/// one. So a remapped radar is heard, one stray message is not, and a stray first one is got over.
+/// The radar name that the publisher of a topic uses: that of its first message, until three in a row bear another
+/// one. So a remapped radar is accepted, one stray message is not, and a stray first one is got over.
 class SenderName {
  public:
   /// `expected`: empty when any name will do.

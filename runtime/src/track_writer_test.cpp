@@ -69,22 +69,22 @@ TEST(TrackWriter, MessagesAreNumberedAndNameTheirSector) {
   std::ostringstream log;
   LocalGraph graph(log);
   Bus& bus = graph.addNode("tracker");
-  std::vector<tws_msgs::Tracks> heard;
-  bus.subscribe<tws_msgs::Tracks>("/x/tracks", [&](const auto& message) { heard.push_back(message); });
+  std::vector<tws_msgs::Tracks> received;
+  bus.subscribe<tws_msgs::Tracks>("/x/tracks", [&](const auto& message) { received.push_back(message); });
   TrackWriter writer(bus, "/x/tracks", "map");
   for (const std::int64_t running : {70, 71}) {
     tws_msgs::Tracks message = writer.message(12.5, "a", running);
     writer.publish(message);
   }
   graph.drain();
-  ASSERT_EQ(heard.size(), 2u);
-  EXPECT_EQ(heard[1].sequence, 1u);
-  EXPECT_EQ(heard[1].sector, 7u);
-  EXPECT_EQ(heard[1].running_sector, 71u);
-  EXPECT_EQ(heard[1].radar, "a");
-  EXPECT_EQ(heard[1].tracker, "tracker");
-  EXPECT_EQ(heard[1].header.frame_id, "map");
-  EXPECT_EQ(heard[1].header.stamp, ros::Time(12.5));
+  ASSERT_EQ(received.size(), 2u);
+  EXPECT_EQ(received[1].sequence, 1u);
+  EXPECT_EQ(received[1].sector, 7u);
+  EXPECT_EQ(received[1].running_sector, 71u);
+  EXPECT_EQ(received[1].radar, "a");
+  EXPECT_EQ(received[1].tracker, "tracker");
+  EXPECT_EQ(received[1].header.frame_id, "map");
+  EXPECT_EQ(received[1].header.stamp, ros::Time(12.5));
 }
 
 }  // namespace

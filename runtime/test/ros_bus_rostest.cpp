@@ -36,21 +36,21 @@ Bytes bytesOf(M message) {
   return bytes;
 }
 
-struct Heard {
+struct Received {
   std::vector<Bytes> out;
   std::vector<ros::Time> ticks;
 };
 
-Heard runInOneProcess() {
-  Heard heard;
+Received runInOneProcess() {
+  Received received;
   LocalGraph graph(std::cerr);
   NumbersSource source(graph.addNode("numbers"));
   const RelayNode relay(graph.addNode("relay", YAML::Load("{gain: 3}")));
   Bus& ear = graph.addNode("ear");
-  ear.subscribe<tws_msgs::Detections>("/relay/out", [&](const auto& m) { heard.out.push_back(bytesOf(m)); });
-  ear.subscribe<std_msgs::Header>("/relay/ticks", [&](const auto& m) { heard.ticks.push_back(m.stamp); });
+  ear.subscribe<tws_msgs::Detections>("/relay/out", [&](const auto& m) { received.out.push_back(bytesOf(m)); });
+  ear.subscribe<std_msgs::Header>("/relay/ticks", [&](const auto& m) { received.ticks.push_back(m.stamp); });
   runOffline(graph, {&source});
-  return heard;
+  return received;
 }
 
 template <class M>
@@ -72,12 +72,12 @@ class RosBusTest : public ::testing::Test {
  protected:
   static void SetUpTestSuite() {
     ros::NodeHandle node;
-    Heard heard;
+    Received received;
     ros::Time last_clock;
     const ros::Subscriber out = listen<tws_msgs::Detections>(
-        node, "/relay/out", [&](const auto& message) { heard.out.push_back(bytesOf(message)); });
+        node, "/relay/out", [&](const auto& message) { received.out.push_back(bytesOf(message)); });
     const ros::Subscriber ticks = listen<std_msgs::Header>(
-        node, "/relay/ticks", [&](const auto& message) { heard.ticks.push_back(message.stamp); });
+        node, "/relay/ticks", [&](const auto& message) { received.ticks.push_back(message.stamp); });
     const ros::Subscriber clock = listen<rosgraph_msgs::Clock>(node, "/clock", [&](const auto& message) {
       clocks_go_on = clocks_go_on && message.clock >= last_clock;
       last_clock = message.clock;
@@ -86,19 +86,19 @@ class RosBusTest : public ::testing::Test {
     EXPECT_TRUE(waitFor([&] { return out.getNumPublishers() > 0 && ticks.getNumPublishers() > 0; }));
     const ros::WallTime start = ros::WallTime::now();
     const ros::Subscriber numbers = listen<tws_msgs::Detections>(node, "/numbers", [](const auto&) {});
-    EXPECT_TRUE(waitFor([&] { return heard.out.size() >= NumbersSource::kCount; }));
-    waitFor([&] { return heard.ticks.size() >= 4; });
+    EXPECT_TRUE(waitFor([&] { return received.out.size() >= NumbersSource::kCount; }));
+    waitFor([&] { return received.ticks.size() >= 4; });
     wall_seconds = (ros::WallTime::now() - start).toSec();
-    live = heard;
+    live = received;
   }
 
-  static Heard live;
+  static Received live;
   static bool clocks_go_on;
   static int clock_count;
   static double wall_seconds;
 };
 
-Heard RosBusTest::live;
+Received RosBusTest::live;
 bool RosBusTest::clocks_go_on = true;
 int RosBusTest::clock_count = 0;
 double RosBusTest::wall_seconds = 0.0;
@@ -106,7 +106,7 @@ double RosBusTest::wall_seconds = 0.0;
 // If this fails, an offline run says nothing about the live system: the first or last messages are lost, or the two
 // lives differ.
 TEST_F(RosBusTest, TheSameNodesGiveTheSameBytesLiveAndInOneProcess) {
-  const Heard offline = runInOneProcess();
+  const Received offline = runInOneProcess();
   EXPECT_EQ(offline.out.size(), NumbersSource::kCount);
   EXPECT_EQ(live.out, offline.out);
 }
@@ -247,7 +247,7 @@ class LoopSource : public Source {
     bus.subscribe<std_msgs::Header>("~report", [this, commands](const std_msgs::Header& report) mutable {
       if (answers_left_-- > 0) commands.publish(report);
     });
-    bus.subscribe<std_msgs::Header>("~command", [this](const auto& m) { loop_.hear(m.stamp, m.stamp); });
+    bus.subscribe<std_msgs::Header>("~command", [this](const auto& m) { loop_.add(m.stamp, m.stamp); });
   }
   std::optional<ros::Time> nextTime() const override {
     return steps < 5 ? std::optional<ros::Time>(ros::Time(1.0 + steps)) : std::nullopt;
@@ -319,19 +319,19 @@ class NodeletTest : public ::testing::Test {
   nodelet::Loader loader{boost::function<boost::shared_ptr<nodelet::Nodelet>(const std::string&)>(make)};
 };
 
-// If this fails, a graph in one manager tells other tracks than the same graph in programs of its own.
+// If this fails, a graph in one manager gives other tracks than the same graph in programs of its own.
 TEST_F(NodeletTest, NodeletsGiveTheSameBytesAsOneProcessWithoutAMaster) {
   ros::NodeHandle node;
-  std::vector<Bytes> heard;
+  std::vector<Bytes> received;
   const ros::Subscriber out = listen<tws_msgs::Detections>(
-      node, "/nodelets/relay/out", [&](const auto& message) { heard.push_back(bytesOf(message)); });
+      node, "/nodelets/relay/out", [&](const auto& message) { received.push_back(bytesOf(message)); });
   ros::param::set("/nodelets/relay/gain", 3);
   ros::param::set("/nodelets/source/live/rate", 20);
   ASSERT_TRUE(load("/nodelets/relay", "relay"));
   EXPECT_TRUE(waitFor([&] { return out.getNumPublishers() > 0; }));
   ASSERT_TRUE(load("/nodelets/source", "numbers"));
-  EXPECT_TRUE(waitFor([&] { return heard.size() >= NumbersSource::kCount; }));
-  EXPECT_EQ(heard, runInOneProcess().out);
+  EXPECT_TRUE(waitFor([&] { return received.size() >= NumbersSource::kCount; }));
+  EXPECT_EQ(received, runInOneProcess().out);
 }
 
 // If this fails, one wrong parameter takes all nodes of a manager with it, or is not noticed.
@@ -346,12 +346,12 @@ TEST_F(NodeletTest, AWrongParameterKeepsItsOwnNodeletFromLoading) {
 // If this fails, unloading a simulator in its run hangs the manager or leaves a thread that writes into freed memory.
 TEST_F(NodeletTest, ASourceIsUnloadedInTheMiddleOfItsRun) {
   ros::NodeHandle node;
-  int heard = 0;
+  int received = 0;
   const ros::Subscriber numbers =
-      listen<tws_msgs::Detections>(node, "/nodelets/numbers", [&](const auto&) { ++heard; });
+      listen<tws_msgs::Detections>(node, "/nodelets/numbers", [&](const auto&) { ++received; });
   ros::param::set("/nodelets/slow/live/rate", 0.1);
   ASSERT_TRUE(load("/nodelets/slow", "numbers"));
-  EXPECT_TRUE(waitFor([&] { return heard > 0; }));
+  EXPECT_TRUE(waitFor([&] { return received > 0; }));
   const ros::WallTime start = ros::WallTime::now();
   EXPECT_TRUE(loader.unload("/nodelets/slow"));
   EXPECT_LT((ros::WallTime::now() - start).toSec(), 1.0);

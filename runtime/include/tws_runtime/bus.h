@@ -50,7 +50,7 @@ class Counter {
 struct Diagnosis {
   enum class Level { kOk, kWarning, kError };
   Level level = Level::kOk;
-  std::string summary;                                      ///< A few words.
+  std::string summary;                                      ///< In short.
   std::vector<std::pair<std::string, std::string>> values;  ///< In the order in which they are shown.
 };
 
@@ -94,7 +94,7 @@ class Bus {
     openService(service, serviceType<S>(std::move(handler)));
   }
 
-  /// Transforms heard on /tf_static. Site frames are static.
+  /// Transforms from /tf_static. Site frames are static.
   virtual const tf2::BufferCore& transforms() const = 0;
   /// Publishes a static, latched transform; several calls add up.
   virtual void publishStaticTransform(const geometry_msgs::TransformStamped& transform) = 0;
@@ -107,7 +107,7 @@ class Bus {
 
   /// Shows a diagnosis of that name in /diagnostics once a second of wall time; never called offline.
   virtual void diagnose(const std::string& name, std::function<Diagnosis()> diagnosis) = 0;
-  /// The counter of that name, made at the first call. Names are words: "late detections".
+  /// The counter of that name, made at the first call. Names are plain text: "late detections".
   virtual Counter& counter(const std::string& name) = 0;
 
   /// Data time: /clock live, the time of the source's current step offline. For stamps and timers only; no algorithm

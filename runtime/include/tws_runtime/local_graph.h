@@ -49,7 +49,7 @@ class LocalGraph {
   void advanceTo(ros::Time time);
   ros::Time now() const;
 
-  /// Calls a service from outside of all nodes, then drains. Throws std::runtime_error when nobody serves it with that
+  /// Calls a service from outside of all nodes, then drains. Throws std::runtime_error when no node offers it with that
   /// type.
   template <class S>
   bool call(const std::string& service, typename S::Request& request, typename S::Response& response) {

@@ -15,7 +15,7 @@ namespace tws_runtime {
 /// bears the report's stamp. A command takes effect at its stamp plus a fixed latency in data time: the step at time T
 /// goes by the answers to all reports up to T - latency, so that live and offline agree. Live, the runtime waits for
 /// these answers before the step (Source::isReady()). Once it has waited in vain (Source::stopWaiting()), nothing is
-/// waited for until an answer comes again: a radar whose tracker is gone works on at full speed.
+/// waited for until an answer comes again: a radar whose tracker has ended continues at full speed.
 ///
 /// Times may differ by a microsecond without being late: grids of times are rounded to nanoseconds.
 template <class Command>
@@ -31,7 +31,7 @@ class LockStep {
 
   /// A command came. False: it is late (its effect would lie before a step already made) and takes effect at the next
   /// one, or it is not newer than one that has taken effect, and is ignored.
-  bool hear(ros::Time stamp, Command command) {
+  bool add(ros::Time stamp, Command command) {
     waits_ = true;
     unanswered_.erase(unanswered_.begin(), unanswered_.upper_bound(stamp));
     if (newest_effect_ && stamp <= *newest_effect_) return false;

@@ -21,8 +21,9 @@ struct RadarTopics {
 /// The usual ones, in the node's namespace: <radar>/detections and <radar>/sector_marks.
 RadarTopics usualTopics(const std::string& radar);
 
-/// Hears rotating radars and gives their complete sectors: of each radar every sector once and in order, whatever the
-/// order in which its two topics arrive; radars among each other in order of arrival (merge them with tws::TimeOrder).
+/// Subscribes to rotating radars and gives their complete sectors: of each radar every sector once and in order,
+/// whatever the order in which its two topics arrive; radars among each other in order of arrival (merge them with
+/// tws::TimeOrder).
 ///
 /// Nothing stalls it: what is lost is replaced (see SectorJoin). All that is wrong is counted: what Intake counts, and
 /// "bad detections", "lost detections", "lost sector marks", "late messages", "duplicate messages", "count mismatches",

@@ -44,9 +44,9 @@ void runFeed(RosBus& bus, Feed& feed);
 
 /// Steps the sources of a graph as fast as possible, the one with the earliest next time first (of equal ones the first
 /// in the list), and drains the queue after each step. Ends when all have ended, when the next step lies more than
-/// `duration` after the first one, or when `goOn` (asked before each step) says false.
+/// `duration` after the first one, or when `continues` (asked before each step) says false.
 void runOffline(LocalGraph& graph, const std::vector<Source*>& sources, ros::Duration duration = ros::DURATION_MAX,
-                const std::function<bool()>& goOn = {});
+                const std::function<bool()>& continues = {});
 
 /// Makes a node on its Bus. The pointer only keeps it alive.
 using NodeFactory = std::function<std::shared_ptr<void>(Bus& bus)>;
@@ -57,7 +57,7 @@ using FeedFactory = std::function<std::unique_ptr<Feed>(Bus& bus)>;
 /// says false. Throws what the node's constructor throws, e.g. ParameterError.
 using Program = std::function<std::function<void()>(RosBus& bus)>;
 
-/// A node that answers what it hears, and never ends by itself.
+/// A node that reacts to its input and never ends by itself.
 Program nodeProgram(const NodeFactory& makeNode);
 /// A source, run by runLive with the options under ~live.
 Program sourceProgram(const SourceFactory& makeSource);

@@ -14,8 +14,8 @@
 
 namespace tws_runtime {
 
-/// Holds what needs the site of a radar until /tf_static has told it, so that what comes out does not depend on when
-/// that was, nor on which radar is heard first.
+/// Holds what waits for the site transform of a radar on /tf_static, so that the output depends neither on when that
+/// comes nor on which radar is first.
 ///
 /// Of several radars all goes on in the order in which it came, once every radar that waits has its site. When more
 /// than so many items wait, the sites that are still missing are given up, once for each radar: counted as "unknown

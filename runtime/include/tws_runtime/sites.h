@@ -10,8 +10,8 @@
 
 namespace tws_runtime {
 
-/// For who holds its input back until a site is known, so that what comes out does not depend on when it is told: the
-/// site of the radar with that frame in `frame`; nothing: not known yet, wait. When it is enough of waiting (not
+/// For input that waits for the site transform, so that the output does not depend on when that comes: the site of the
+/// radar with that frame in `frame`; nothing: not known yet, wait. When it is enough of waiting (not
 /// `patient`), that is counted as an unknown site, and `otherwise` is the answer.
 std::optional<Site> awaitSite(Bus& bus, const std::string& frame, const std::string& radar_frame, bool patient,
                               const Site& otherwise = {});
