@@ -53,7 +53,7 @@ std::vector<std::string> GraphLists::waitedFor() const {
 std::vector<std::string> GraphLists::played() const {
   std::set<std::string> heard{"/tf_static"};
   for (const NodeDescription& node : graph_.nodes) heard.insert(node.hears.begin(), node.hears.end());
-  heard.erase("/diagnostics");  // It speaks of the run that was recorded.
+  heard.erase("/diagnostics");  // It is of the run that was recorded.
   std::set<std::string> topics;
   for (const std::string& topic : heard) {
     const auto found = input_.topics.find(whereItIs(topic));

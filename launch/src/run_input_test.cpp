@@ -159,7 +159,7 @@ TEST(RunInput, KnowsABagByItsContent) {
   EXPECT_EQ(read(folder.file("run.20261129")).kind, InputKind::kBag);
 }
 
-// If this fails, the user of a scenario with a slip in it hears of it from a node that died, or not where it is.
+// If this fails, the user of a scenario with a slip in it learns of it from a node that died, or not where it is.
 TEST(RunInput, OfAWrongScenarioIsRefusedInOneLineWithFileAndLine) {
   const TemporaryFolder folder;
   const std::string path = folder.file("slip.yaml");

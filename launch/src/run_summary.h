@@ -32,7 +32,7 @@ class RunSummary {
   void add(const tws_msgs::Tracks& message);
   void add(const tws_msgs::CorrelatedTracks& message);
   void add(const tws_msgs::ClutterMap& message);
-  /// The counters of the nodes, as their diagnostics say them; the last word of each counts.
+  /// The counters of the nodes, as their diagnostics say them; the latest value of each counts.
   void add(const diagnostic_msgs::DiagnosticArray& message);
 
   /// Data time from the first sensor message to the last [s]; 0 without any.

@@ -82,7 +82,7 @@ TEST(RunSummary, CountsSectorsAndPlotsOfEachRadarAndTheTimeBetweenFirstAndLast) 
   EXPECT_EQ(row(table, "b"), (std::vector<double>{1, 0, 0.0})) << table;
 }
 
-TEST(RunSummary, CountsEachTrackByItsLastWord) {
+TEST(RunSummary, CountsEachTrackByItsLatestUpdate) {
   RunSummary summary;
   summary.add(tracks({{1, Track::TENTATIVE}, {2, Track::TENTATIVE}, {3, Track::TENTATIVE}}));
   summary.add(tracks({{1, Track::FIRM}, {2, Track::FIRM}, {4, Track::TENTATIVE}}));
@@ -102,7 +102,7 @@ TEST(RunSummary, ShowsOnlyCountersThatCounted) {
   EXPECT_EQ(table.find("gaps"), std::string::npos) << table;
 }
 
-TEST(RunSummary, TakesTheLastWordOfTheDiagnostics) {
+TEST(RunSummary, TakesTheLatestValueOfTheDiagnostics) {
   diagnostic_msgs::DiagnosticArray message;
   message.status.resize(1);
   message.status[0].hardware_id = "adit";

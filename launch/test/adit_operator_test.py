@@ -91,15 +91,15 @@ class OperatorTest(unittest.TestCase):
     def test_the_orders_show_in_the_tracks(self):
         targets = self.done["targets"]
         self.assertGreater(len(targets), 10)
-        words = [track for message in self.messages(self.live, "/adit/tracks") for track in message.tracks]
-        last = {track.uid: track for track in words}
+        updates = [track for message in self.messages(self.live, "/adit/tracks") for track in message.tracks]
+        last = {track.uid: track for track in updates}
         self.assertTrue(last[targets[0].uid].detection_bits & targets[0].HANDED_OFF)
         self.assertTrue(last[targets[1].uid].detection_bits & targets[0].ELEVATION_REQUESTED)
         self.assertTrue(self.done["dropped"].success, self.done["dropped"].message)
         self.assertEqual(last[targets[2].uid].state, targets[2].DROPPED)
         self.assertTrue(self.done["started"].success, self.done["started"].message)
         self.assertTrue(any(w.number == self.done["started"].number and math.hypot(w.position.x + 7e4, w.position.y - 3e4) < 100
-                            for w in words))
+                            for w in updates))
         self.assertTrue(self.done["inside"])
         self.assertTrue(all(track.range <= 80e3 for track in self.done["inside"]))
 

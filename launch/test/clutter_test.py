@@ -22,7 +22,7 @@ COMES, GOES = 100.0, 240.0  # the fleet [s]
 PERIODS = {"sps12": 6.0, "sps39": 8.0}
 HITS, DROP_TIME = 4, 40.0   # clutter.hits, clutter.drop_time_s
 LAG = 1.0                   # five sectors, and the radar's clock [s]
-BELIEVED = (Track.FIRM, Track.COASTING)
+CONFIRMED = (Track.FIRM, Track.COASTING)
 
 
 def messages(bag, *topics):
@@ -37,7 +37,7 @@ class Run:
         self.truth = messages(bag, "/truth")
         self.began = self.truth[0].header.stamp.to_sec()
         self.maps = [(self.since(m.header.stamp), m.points) for m in messages(bag, "/adit/clutter_map")]
-        self.words = [w for m in messages(bag, "/adit/tracks") for w in m.tracks]
+        self.updates = [w for m in messages(bag, "/adit/tracks") for w in m.tracks]
 
     def since(self, stamp):
         return stamp.to_sec() - self.began
@@ -57,7 +57,7 @@ class Run:
 
     def begun_at(self, places, until):
         """Tracks that began there."""
-        return {w.uid for w in self.words
+        return {w.uid for w in self.updates
                 if self.since(w.first_detection) < until and any(apart(place, (w.range, w.azimuth)) < 1000 for place in places)}
 
 
@@ -132,21 +132,21 @@ class ClutterTest(unittest.TestCase):
     def test_no_clutter_becomes_a_firm_track_and_aircraft_keep_theirs(self):
         still = [*self.bare.places("boat").values(), *self.bare.places("rock").values()]
         holders = collections.defaultdict(list)
-        for word in self.bare.words:
-            if word.state not in BELIEVED:
+        for update in self.bare.updates:
+            if update.state not in CONFIRMED:
                 continue
-            here, time = (word.range, word.azimuth), self.bare.since(word.stamp)
+            here, time = (update.range, update.azimuth), self.bare.since(update.stamp)
             name, distance = min(((name, apart(here, place)) for name, place in self.bare.moving(time).items()), key=lambda pair: pair[1])
             if distance < 3000:
-                holders[name].append((time, word.uid))
+                holders[name].append((time, update.uid))
             self.assertFalse(distance > 3000 and any(apart(here, place) < 1500 for place in still),
-                             f"track {word.uid} at {time:.0f} s stands on clutter")
+                             f"track {update.uid} at {time:.0f} s stands on clutter")
         self.assertEqual(len(holders), 6)
-        for name, words in holders.items():
-            uids = [uid for time, uid in words if time > 30]
+        for name, updates in holders.items():
+            uids = [uid for time, uid in updates if time > 30]
             most = collections.Counter(uids).most_common(1)[0]
-            self.assertLess(min(time for time, uid in words if uid == most[0]), 40, name)
-            self.assertGreater(max(time for time, uid in words if uid == most[0]), 310, name)
+            self.assertLess(min(time for time, uid in updates if uid == most[0]), 40, name)
+            self.assertGreater(max(time for time, uid in updates if uid == most[0]), 310, name)
 
     # If this fails, each run begins with a picture full of rocks that were known the day before.
     def test_a_run_that_loads_the_saved_map_starts_fewer_tracks_on_clutter(self):

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""What a user hears of a slip in the command line: command_line_test.py PATH_OF_TWS_OFFLINE PATH_OF_TWS_INSPECT PATH_OF_TWS"""
+"""What a user is told of a slip in the command line: command_line_test.py PATH_OF_TWS_OFFLINE PATH_OF_TWS_INSPECT PATH_OF_TWS"""
 import pathlib
 import subprocess
 import sys

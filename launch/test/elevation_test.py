@@ -41,11 +41,11 @@ class Truth:
     def __init__(self, bag):
         self.messages = {round(m.header.stamp.to_sec()): m for m in messages(bag, "/truth")}
 
-    def height_of(self, word):
+    def height_of(self, update):
         """Of the aircraft where the track is; none: it is on nobody's tail, or two aircraft are near it."""
-        picture = self.messages.get(round(word.stamp.to_sec()))
-        near = [t for t in picture.targets if abs(t.slant_range[1] - word.range) < 1500 and
-                word.range * abs(math.remainder(t.azimuth[1] - word.azimuth, 2 * math.pi)) < 2000] if picture else []
+        picture = self.messages.get(round(update.stamp.to_sec()))
+        near = [t for t in picture.targets if abs(t.slant_range[1] - update.range) < 1500 and
+                update.range * abs(math.remainder(t.azimuth[1] - update.azimuth, 2 * math.pi)) < 2000] if picture else []
         return altitude(near[0].position) if len(near) == 1 else None
 
 
@@ -74,7 +74,7 @@ class ElevationTest(unittest.TestCase):
             run.terminate()
             run.wait()
         cls.lists = messages(cls.live, "/sps39/elevation_requests")
-        cls.words = [word for m in messages(cls.live, "/adit/tracks") for word in m.tracks]
+        cls.updates = [update for m in messages(cls.live, "/adit/tracks") for update in m.tracks]
 
     @classmethod
     def tearDownClass(cls):
@@ -101,23 +101,23 @@ class ElevationTest(unittest.TestCase):
 
     def test_designated_tracks_get_heights_that_agree_with_the_truth(self):
         truth = Truth(self.live)
-        known = [w for w in self.words if not math.isnan(w.height)]
+        known = [w for w in self.updates if not math.isnan(w.height)]
         self.assertLessEqual({w.number for w in known}, set(self.designated))
         self.assertGreaterEqual(len({w.uid for w in known}), DESIGNATED - 2)
         deviations = [abs(w.height - height) / w.height_sigma for w in known for height in [truth.height_of(w)] if height is not None]
         self.assertGreater(len(deviations), 100)
-        # Normal errors stay within 3 sigma for 99.7 %; the words between two searches share one error.
+        # Normal errors stay within 3 sigma for 99.7 %; the updates between two searches share one error.
         self.assertGreater(sum(d < 3.0 for d in deviations) / len(deviations), 0.95)
         self.assertLess(max(deviations), 6.0)
 
     def test_a_track_with_height_stands_over_the_ground(self):
-        self.assertTrue(any(not math.isnan(word.height) for word in self.words))
-        for word in self.words:
-            self.assertEqual(math.isnan(word.position.z), math.isnan(word.height))
-            if not math.isnan(word.height):
-                ground = math.hypot(word.position.x, word.position.y)
-                self.assertLess(ground, word.range)
-                self.assertAlmostEqual(math.sqrt(ground ** 2 + (word.position.z - ANTENNA) ** 2), word.range, delta=0.1)
+        self.assertTrue(any(not math.isnan(update.height) for update in self.updates))
+        for update in self.updates:
+            self.assertEqual(math.isnan(update.position.z), math.isnan(update.height))
+            if not math.isnan(update.height):
+                ground = math.hypot(update.position.x, update.position.y)
+                self.assertLess(ground, update.range)
+                self.assertAlmostEqual(math.sqrt(ground ** 2 + (update.position.z - ANTENNA) ** 2), update.range, delta=0.1)
 
     def check_same(self, first, second, topics):
         for bag in (first, second):

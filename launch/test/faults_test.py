@@ -28,7 +28,7 @@ faults:
 
 
 class Run:
-    """A live run, and what is heard of the tracker meanwhile."""
+    """A live run, and the messages of the tracker meanwhile."""
 
     def __init__(self, scenario, rate, duration, *arguments):
         self.tracks, self.statuses, self.said = [], [], set()

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Aircraft that part, cross and fly together, through the whole graph: formation_test.py PATH_OF_TWS_OFFLINE
 
-Scenario formation_split with the tracker's parameter `bifurcation` on and off. If this fails, of two aircraft in one echo one is lost.
+Scenario formation_split with the tracker's parameter `bifurcation` on and off. If this fails, of two unresolved aircraft one is lost.
 With --measure FIRST LAST instead of the test: prints the distributions over these seeds, for the limits below.
 """
 import math

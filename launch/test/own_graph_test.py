@@ -69,7 +69,7 @@ class OwnGraphTest(unittest.TestCase):
     def setUpClass(cls):
         rospy.init_node("own_graph_test")
         cls.tracks = {tracker: [] for tracker in TRACKERS}
-        subscribers = [rospy.Subscriber(f"{tracker}/tracks", Tracks, lambda message, heard=tracks: heard.append(message))
+        subscribers = [rospy.Subscriber(f"{tracker}/tracks", Tracks, lambda message, received=tracks: received.append(message))
                        for tracker, tracks in cls.tracks.items()]
         wait_for(lambda: all(subscriber.get_num_connections() > 0 for subscriber in subscribers))
         for space in ("inside", "outside"):  # The simulators wait for these.

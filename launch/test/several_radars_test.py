@@ -47,7 +47,7 @@ class SeveralRadars(unittest.TestCase):
         self.run_tool("rosrun", "track_evaluation", "evaluate_bag", bag, "--quiet", "--json", metrics, "--config", config)
         return json.loads(metrics.read_text())["trackers"]["adit"]["metrics"]
 
-    def words(self, bag):
+    def updates(self, bag):
         with rosbag.Bag(str(bag)) as opened:
             return [(message.radar, track) for _, message, _ in opened.read_messages(["/adit/tracks"]) for track in message.tracks]
 
@@ -68,7 +68,7 @@ class SeveralRadars(unittest.TestCase):
         scene = scenario("three_radars")
         harbour = {"name": "harbour", "type": "generic", "site": "ship", "rotation_period_s": 2.5, "start_azimuth_deg": 300}
         seen = set()
-        for radar, track in self.words(self.fly({**scene, "radars": [harbour] + scene["radars"]})):
+        for radar, track in self.updates(self.fly({**scene, "radars": [harbour] + scene["radars"]})):
             if track.state == track.FIRM and track.stamp == track.last_update:
                 self.assertTrue(track.detection_bits & bits[radar], (radar, track.detection_bits))
                 seen.add(radar)

@@ -123,16 +123,16 @@ class WholeGraphTest(unittest.TestCase):
         """SSR and SPS-12, secondary tracker and ADIT, correlator: each aircraft under one identity, with the code that it replies."""
         live = launch("run.launch", self.folder / "chain.bag", scenario=SCENARIO, rate=10, duration=60)  # Pairs need some turns.
         with rosbag.Bag(str(live)) as bag:
-            words = [word for _, message, _ in bag.read_messages(["/correlated/tracks"]) for word in message.tracks]
+            updates = [update for _, message, _ in bag.read_messages(["/correlated/tracks"]) for update in message.tracks]
             codes = {target.mode_3a for _, message, _ in bag.read_messages(["/truth"]) for target in message.targets}
-        correlated = [word for word in words if word.kind == word.CORRELATED]
-        self.assertGreater(len({word.identity for word in correlated}), 10)
-        known = [word.track.mode_3a for word in correlated if word.track.mode_3a != word.track.CODE_UNKNOWN]
+        correlated = [update for update in updates if update.kind == update.CORRELATED]
+        self.assertGreater(len({update.identity for update in correlated}), 10)
+        known = [update.track.mode_3a for update in correlated if update.track.mode_3a != update.track.CODE_UNKNOWN]
         self.assertTrue(known)
         self.assertLessEqual(set(known), codes)
-        for word in words:
-            self.assertEqual(word.primary != word.NONE, word.kind != word.SECONDARY_ONLY)
-            self.assertEqual(word.secondary != word.NONE, word.kind != word.PRIMARY_ONLY)
+        for update in updates:
+            self.assertEqual(update.primary != update.NONE, update.kind != update.SECONDARY_ONLY)
+            self.assertEqual(update.secondary != update.NONE, update.kind != update.PRIMARY_ONLY)
 
     def test_tracks_that_a_scenario_feeds_are_correlated_alike_live_and_offline(self):
         file = f"{command('rospack', 'find', 'tws_launch').strip()}/scenarios/bel_three_targets.yaml"
@@ -146,9 +146,9 @@ class WholeGraphTest(unittest.TestCase):
                 self.check_same_bytes(tracks(live, topic), tracks(bag, topic), run, topic)
         identities = {}
         for _, message, _ in rosbag.Bag(str(live)).read_messages(["/correlated/tracks"]):
-            for word in message.tracks:
-                if word.kind == word.CORRELATED:
-                    identities.setdefault(word.primary, set()).add((word.identity, word.track.mode_3a))
+            for update in message.tracks:
+                if update.kind == update.CORRELATED:
+                    identities.setdefault(update.primary, set()).add((update.identity, update.track.mode_3a))
         self.assertEqual(sorted(len(names) for names in identities.values()), [1, 1, 1])
 
     def test_the_array_radar_is_steered_by_its_tracker(self):
@@ -205,7 +205,7 @@ class WholeGraphTest(unittest.TestCase):
         locked = [gates[p.header.stamp].lock != 0 for p in profiles[25:] if p.header.stamp in gates]
         self.assertGreater(len(locked), 20 * DURATION)
         self.assertGreater(sum(locked) / len(locked), 0.95)
-        # The simulated radar obeys after its latency of 0.1 s, at the third profile.
+        # The simulated radar executes after its latency of 0.1 s, at the third profile.
         for before, after in zip(profiles[:100], profiles[3:103]):
             self.assertAlmostEqual(after.range_min, gates[before.header.stamp].range_min, delta=1.01)  # half a bin
 
