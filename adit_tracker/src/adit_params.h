@@ -23,7 +23,7 @@ struct RadarParams {
   double azimuth_sigma = 0.3 * tws::kPi / 180.0;  // The same of its azimuths [rad].
 };
 
-/// A secondary radar that tells which tracks answer (IFF).
+/// A secondary radar that reports which tracks answer (IFF).
 struct IffParams {
   std::string name;
   // Of its plots against the tracks of a radar, which looks at the skin: standard deviations [m], [rad].
@@ -88,12 +88,12 @@ struct ExistenceParams {
   double survival_time = 400.0;           // Mean time that a target stays [s].
 };
 
-/// Targets that fly as one echo, and part.
+/// Unresolved targets, and targets that part.
 struct PartingParams {
-  // The resolution cell of a radar, in standard deviations of its errors, between two echoes.
+  // The resolution cell of a radar, in standard deviations of its errors, between two plots.
   double cell_range_sigmas = 3.5;
   double cell_azimuth_sigmas = 8.0;
-  double unresolved_time = 120.0;  // Two tracks in one echo are believed to be two targets for so long [s].
+  double unresolved_time = 120.0;  // Two unresolved tracks count as two targets for so long [s].
   double branch_time = 12.0;       // The same of a branch that is not firm yet [s].
   double speed = 200.0;            // Greatest [m/s].
   double speed_sigma = 75.0;       // Of each velocity component of a branch, about its parent's [m/s].
@@ -131,7 +131,7 @@ struct AditParams {
   ExistenceParams existence;
   ClutterParams clutter;
   ConversionParams conversion;
-  bool bifurcation = true;  // Two tracks may live in one echo, and one track may become two.
+  bool bifurcation = true;  // Two tracks may share merged plots, and one track may split into two.
   PartingParams parting;
   OperatorParams operators;
   ElevationParams elevation;

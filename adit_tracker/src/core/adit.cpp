@@ -185,7 +185,7 @@ void Adit::update(const tws::SectorRef& sector, TrackFile::Slot slot, Detection&
   meeting_.predict(track, siteOf(sector));
 }
 
-/// Illuminated and not detected by itself: it shares the detection of another track, if it still is another one.
+/// Illuminated and not detected by itself: it is merged in the detection of another track, if it still is another one.
 void Adit::share(const tws::SectorRef& sector, TrackFile::Slot slot, const Detection& detection) {
   Track& track = tracks_.at(slot);
   if (bifurcation_.hasMerged(track, detection)) return tracks_.drop(slot, detection.plot.time);

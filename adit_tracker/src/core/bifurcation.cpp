@@ -9,9 +9,9 @@ namespace adit_tracker {
 namespace {
 
 constexpr std::int64_t kSectorsKept = 3;   // a detection may be shared by tracks of this and the two sectors before
-constexpr double kMarginSigmas = 1.5;      // how far two tracks in one echo may seem to lie outside of one cell
-constexpr double kGreatestMiss = 4.0;      // how far the echo may lie from their middle, standard deviations
-constexpr double kSurelyBoth = 0.8;        // least chance that an echo is of both
+constexpr double kMarginSigmas = 1.5;      // how far two unresolved tracks may seem to lie outside of one cell
+constexpr double kGreatestMiss = 4.0;      // how far the merged plot may lie from their middle, standard deviations
+constexpr double kSurelyBoth = 0.8;        // least chance that a plot is of both
 constexpr double kLeastUnresolved = 20.0;  // of a track that has not settled [s]
 constexpr double kLeastSpeedSigma = 25.0;  // of a branch [m/s]
 
@@ -76,8 +76,8 @@ Bifurcation::Reach Bifurcation::cellOf(const RadarQuality& quality) const {
           params_.parting.cell_azimuth_sigmas * quality.azimuthSigma()};
 }
 
-/// Does the radar see both as one, and is the echo rather that of both than that of the taker alone? Where the powers
-/// of both fluctuate alike, the echo lies anywhere on the line between them with equal chance.
+/// Does the radar see both as one, and is the plot rather of both than of the taker alone? Where the powers
+/// of both fluctuate alike, the merged plot lies anywhere on the line between them with equal chance.
 std::optional<Bifurcation::Shared> Bifurcation::shareOf(const Run& run, const Track& hidden, const Track& taker,
                                                         const Detection& detection) const {
   const tws::Plot& plot = detection.plot;
@@ -196,8 +196,8 @@ bool Bifurcation::hasMerged(const Track& track, const Detection& detection) cons
 /// The targets were in one cell on the scan before, at the latest.
 Bifurcation::Reach Bifurcation::partingReach(const tws::Plot& plot, const RadarState& radar) const {
   const Reach cell = cellOf(radar.quality);
-  const double parted = params_.parting.speed * radar.antenna.period();
-  return {cell.range + parted, cell.azimuth + parted / plot.range};
+  const double separation = params_.parting.speed * radar.antenna.period();
+  return {cell.range + separation, cell.azimuth + separation / plot.range};
 }
 
 std::optional<Parting> Bifurcation::partingOf(const TrackFile& tracks, const Detection& detection, RadarState& radar,

@@ -16,9 +16,9 @@ namespace adit_tracker {
 /// Track bifurcation, which the report names as work in hand ("Current Status"): what is done about targets so close to
 /// each other that a radar gives one detection for them.
 ///
-/// - Two tracks, one echo (crossings, formations): the detection lies somewhere between both targets. It corrects both
-///   tracks by as much as it tells, and neither counts as missed.
-/// - Two echoes, one track (targets part): the detection that is left over starts a branch, a tentative track that has
+/// - Two tracks, one merged plot (crossings, formations): the detection lies somewhere between both targets. It
+///   corrects both tracks by as much as it says of each, and neither counts as missed.
+/// - Two plots, one track (targets part): the detection that is left over starts a branch, a tentative track that has
 ///   its parent's velocity and becomes firm with fewer detections.
 ///
 /// Cost: for a track without a detection, or a detection that is left over, the detections in range of it; nothing for
@@ -33,15 +33,15 @@ class Bifurcation {
              const std::vector<Correlation>& pairs, const std::vector<TrackFile::Slot>& primary, RadarState& radar,
              const tws::SectorRef& sector);
 
-  /// The detection in which a track without one of its own is hidden; nullptr: it is in none.
+  /// The detection in which a track without one of its own is merged; nullptr: it is in none.
   const Detection* mergedPlotOf(TrackFile::Slot slot) const;
   /// What a detection that several targets share says of this one: its plot, moved by as much as the track's own target
   /// lies off it, its errors enlarged by what is not known of that. nullptr: the detection is not shared.
   const tws::Plot* asSeenBy(const Track& track, const Detection& detection) const;
-  /// Has the track been hidden for so long that it is no longer believed to follow another target?
+  /// Has the track been unresolved for so long that it no longer counts as another target?
   bool hasMerged(const Track& track, const Detection& detection) const;
 
-  /// What an unused detection of the sector before the running one parted from; nothing: it did not part.
+  /// What an unused detection of the sector before the running one split from; nothing: it did not split.
   std::optional<Parting> partingOf(const TrackFile& tracks, const Detection& detection, RadarState& radar,
                                    const tws::SectorRef& sector) const;
 

@@ -20,7 +20,7 @@ bool inOneCell(const tws::Plot& a, const tws::Plot& b) {
 }
 
 /// What a radar makes of plots in one cell: one somewhere between both. Returns the times of the others.
-std::vector<double> mergeEchoes(std::vector<tws::RadarSector>& sectors, std::mt19937_64& generator) {
+std::vector<double> mergePlots(std::vector<tws::RadarSector>& sectors, std::mt19937_64& generator) {
   std::vector<tws::Plot> plots, merged;
   std::vector<double> alone;
   for (const auto& sector : sectors) plots.insert(plots.end(), sector.plots.begin(), sector.plots.end());
@@ -56,7 +56,7 @@ struct Flight {
     for (const TestRadar& radar : radars) {
       auto sectors = radar.sectors(0.0, until);
       for (const TestTarget& target : targets) radar.see(target, sectors);
-      const auto times = mergeEchoes(sectors, generator);
+      const auto times = mergePlots(sectors, generator);
       apart.insert(apart.end(), times.begin(), times.end());
       disturb(sectors, kRangeSigma, kAzimuthSigma, detected, 0.05, generator);
       seen.push_back(std::move(sectors));
@@ -65,7 +65,7 @@ struct Flight {
   }
 
   RadarSectors seen;
-  std::vector<double> apart;  // times of echoes of one target alone
+  std::vector<double> apart;  // times of plots of one target alone
 };
 
 std::unique_ptr<Listener> track(const RadarSectors& seen, bool bifurcation, const std::string& set = "default") {
@@ -113,7 +113,7 @@ struct Partings {
   double seconds = 0.0;  // mean time from the parting to two tracks, a minute at most
 };
 
-/// How often there are two tracks within three updates of each target after the echoes parted; how often a third.
+/// How often there are two tracks within three updates of each target after the plots separated; how often a third.
 Partings countPartings(bool bifurcation, const std::string& set, int flights, int first = 100) {
   Partings count;
   for (int i = 0; i < flights; ++i) {
@@ -212,7 +212,7 @@ TEST(TrackBifurcation, BothTracksLiveOnWhereOneAircraftOvertakesTheOtherForAsLon
   EXPECT_LT(overtakingsKept(params, 40), kept);
 }
 
-// The echoes come and go while the aircraft part slowly. If this fails, a track that shares an echo is told as of its
+// The plots merge and separate while the aircraft part slowly. If this fails, an unresolved track is told as of its
 // detection before, and what hears it takes old places for new ones.
 TEST(TrackBifurcation, AWordIsAboutTheTimeAtWhichTheBeamMetTheTrack) {
   for (int i = 0; i < 20; ++i) {

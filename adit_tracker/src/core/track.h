@@ -68,7 +68,7 @@ struct alignas(64) Track {
   double last_update = 0.0;        // TT
   double last_illumination = 0.0;  // by any radar, detected or not
   double apart = 0.0;              // the latest detection that it had for itself
-  std::uint32_t parent = 0;        // uid of the track that it has branched off; 0: none
+  std::uint32_t parent = 0;        // uid of the track that it has split from; 0: none
   float existence = 1.0F;          // chance that it follows a target
   float first_existence = 1.0F;    // the same at its first detection
   std::array<float, kMaxRadars>

@@ -55,7 +55,7 @@ class TrackBook {
   void start(Slot slot, std::size_t radar, double unwrapped_azimuth);
   /// A track that has just been started flies as its parent did.
   void branch(Track& track, const Parting& parting, std::size_t radar);
-  /// The detection is the track's own, or `merged` says what it tells of one of the targets that share it.
+  /// The detection is the track's own, or `merged` is what it says of one of its unresolved targets.
   /// `disputed`: what a clutter point on probation claims is no evidence of movement.
   void update(Slot slot, const tws::SectorRef& sector, RadarQuality& quality, const tws::Plot& plot,
               const tws::Plot* merged, bool disputed);
@@ -83,7 +83,7 @@ class TrackBook {
   Extrapolation extrapolate(Slot slot, double time) const { return motion_.at(tracks_.at(slot), time); }
   /// Where that radar would measure it then.
   ApparentPosition apparentPosition(Slot slot, std::size_t radar, double time) const;
-  /// Its height, where elevations have told it.
+  /// Its height, where elevations have given it.
   std::optional<Height> height(Slot slot, double time) const { return heights_.at(tracks_.at(slot).uid, time); }
   /// Firm, and not in doubt after missed illuminations.
   bool confirmed(const Track& track) const { return judge_.confirmed(track); }

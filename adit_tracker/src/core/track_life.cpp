@@ -30,7 +30,7 @@ void TrackJudge::started(Track& track, const RadarQuality& quality) const {
   track.last_illumination = track.last_update;
 }
 
-/// The target may have gone in the meantime.
+/// The target may have left in the meantime.
 void TrackJudge::age(Track& track, double time) const {
   const double elapsed = std::max(0.0, time - track.last_illumination);
   track.existence *= static_cast<float>(std::exp(-elapsed / params_.existence.survival_time));

@@ -13,7 +13,7 @@ struct Extrapolation {
   tws::PlanarMotion planar;
 };
 
-/// A target that has parted from another one, as a radar sees it.
+/// A target that has split from another one, as a radar sees it.
 struct Parting {
   std::uint32_t parent;              // slot of the other's track
   double azimuth;                    // of the beam [rad]

@@ -20,7 +20,7 @@ struct ElevationParams {
   double climb_sigma = 10.0;         // Standard deviation of the climb rate before it is known [m/s].
   double climb_acceleration = 0.5;   // White acceleration density in height [m²/s³].
   double gate_sigmas = 5.0;          // A height further off than so many standard deviations begins anew.
-  double greatest_sigma = 2000.0;    // A height more uncertain is not told any more [m].
+  double greatest_sigma = 2000.0;    // A height more uncertain is not reported any more [m].
 };
 
 }  // namespace adit_tracker

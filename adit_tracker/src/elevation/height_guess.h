@@ -27,7 +27,7 @@ struct HeightGuess {
   static HeightGuess below(double greatest, double slant_range);
 
   double height() const { return std::sqrt(squared); }
-  /// Have sites told it to about a kilometre?
+  /// Do sites give it to about a kilometre?
   bool known() const;
   double slantRange(double ground_range) const { return std::sqrt(ground_range * ground_range + squared); }
   GuessedPlace placeOf(const tws::Plot& plot, double range_sigma, double azimuth_sigma,
