@@ -78,7 +78,8 @@ class AditNode::Impl {
   void onSector(std::size_t radar, tws::RadarSector sector) {
     heard_[radar] = sector.leave_time;
     iff_.radarsAt(sector.leave_time);
-    const bool all_at_once = sites_.waiting() > 0;  // for a site, which is no overload
+    // For a site, or to see whether a new run begins: that is no overload.
+    const bool all_at_once = sites_.waiting() > 0 || inputs_.intake().isReleasing();
     sites_.add(radar, std::move(sector), [this, radar](tws::RadarSector ready) {
       adit_->place(radar, sites_.frame(radar));
       adit_->add(radar, std::move(ready));

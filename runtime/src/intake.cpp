@@ -71,6 +71,8 @@ class Intake::Impl {
     return isInOrder(stream, stamp);
   }
 
+  bool isReleasing() const { return releasing_; }
+
   void hold(std::size_t stream, ros::Time stamp, std::function<void()> give) {
     constexpr std::ptrdiff_t kMostHeld = 512;  // of a topic
     const auto is_own = [&](const Held& held) { return held.stream == stream; };
@@ -110,10 +112,12 @@ class Intake::Impl {
   void releaseAgreeing() {
     std::deque<Held> held;
     held.swap(held_);
+    releasing_ = true;
     for (Held& each : held) {
       if (!guard_.agrees(toSeconds(each.stamp))) continue;
       if (isInOrder(each.stream, each.stamp)) each.give();
     }
+    releasing_ = false;
   }
 
   Bus& bus_;
@@ -121,12 +125,14 @@ class Intake::Impl {
   OnNewRun on_new_run_;
   std::vector<Topic> topics_;
   std::deque<Held> held_;  // in the order in which they came
+  bool releasing_ = false;
 };
 
 Intake::Intake(Bus& bus, double restart_limit, OnNewRun on_new_run)
     : bus_(bus), impl_(std::make_unique<Impl>(bus, restart_limit, std::move(on_new_run))) {}
 Intake::~Intake() = default;
 
+bool Intake::isReleasing() const { return impl_->isReleasing(); }
 const std::string& Intake::radarOf(const std::string& topic) const { return impl_->topic(topic).sender.name(); }
 
 std::size_t Intake::addTopic(const std::string& name, const std::string& radar, StampOrder order) {

@@ -83,6 +83,25 @@ TEST_F(IntakeTest, ANewRunLosesNothing) {
   EXPECT_EQ(count("new runs"), 1u);
 }
 
+// If this fails, a live tracker takes the burst at the beginning of a new run for overload, and skips it.
+TEST_F(IntakeTest, SaysThatWhatItGivesWasHeldBack) {
+  std::vector<bool> held_back;
+  intake.subscribe<tws_msgs::SectorMark>({"/c/sector_marks"},
+                                         [&](const auto&) { held_back.push_back(intake.isReleasing()); });
+  Publisher<tws_msgs::SectorMark> topic = node.advertise<tws_msgs::SectorMark>("/c/sector_marks");
+  tws_msgs::SectorMark mark;
+  for (int i = 0; i < 20; ++i) {
+    mark.header.stamp = ros::Time(i == 0 ? 100.0 : 1.0 + 0.1 * i);
+    topic.publish(mark);
+    graph.drain();
+  }
+  ASSERT_EQ(new_runs.size(), 1u);
+  ASSERT_EQ(held_back.size(), 20u);
+  EXPECT_FALSE(held_back.front()) << "nothing was held back before";
+  EXPECT_TRUE(held_back[1]);
+  EXPECT_FALSE(held_back.back()) << "the run is new, and goes on by itself";
+}
+
 TEST_F(IntakeTest, APauseIsNoNewRun) {
   sendMark(100.0);
   for (int i = 0; i < 20; ++i) sendMark(1000.0 + 0.1 * i);

@@ -76,6 +76,8 @@ class Intake {
                       });
   }
 
+  /// Is what was held back being given just now? Then much comes at once, however fast the receiver is.
+  bool isReleasing() const;
   /// The name that the publisher of a topic uses; before its first message, the one expected.
   const std::string& radarOf(const std::string& topic) const;
 
