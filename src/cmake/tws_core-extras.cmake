@@ -8,6 +8,13 @@ add_compile_options(-Wall -Wextra -Wpedantic -Werror)
 # Tests run in the environment as it is by then: catkin's own copy of it is made before there are any Python modules of messages.
 set(CATKIN_ENV ${CATKIN_DEVEL_PREFIX}/env.sh)
 
+set(TWS_SANITIZE "" CACHE STRING "Sanitizers to build with: address,undefined or thread; .ci/sanitize does it")
+if(TWS_SANITIZE)
+  # GCC warns of more in what sanitizers make of the code, and means nothing in it.
+  add_compile_options(-fsanitize=${TWS_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer -Wno-error)
+  add_link_options(-fsanitize=${TWS_SANITIZE})
+endif()
+
 option(TWS_LTO "Optimise across files the libraries whose hot loops cross them" ON)
 
 # Each target is named PACKAGE_NAME, for all packages share one name space of targets; its file is named NAME.
