@@ -2,11 +2,18 @@
 
 #include <tws_runtime/parameters.h>
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "adit_params_reader.h"
 
 namespace adit_tracker {
+namespace {
+
+// Clocks that jump by less than this lose no track [s].
+constexpr double kLeastSkew = 1.0;
+
+}  // namespace
 
 NodeParams readNodeParams(tws_runtime::Bus& bus) {
   tws_runtime::ParameterReader reader(bus.parameters(), bus.name());
@@ -23,6 +30,7 @@ NodeParams readNodeParams(tws_runtime::Bus& bus) {
   if (params.inputs.wait_limit >= params.adit.skew_limit) {
     reader.fail("wait_limit_s", "must be less than skew_limit_s, or what replaces lost messages comes too late");
   }
+  params.inputs.skew_limit = std::max(kLeastSkew, params.adit.skew_limit);
   try {
     check(params.adit);
   } catch (const std::invalid_argument& error) {

@@ -4,7 +4,11 @@
 #include <tws_runtime/conversions.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <deque>
+#include <limits>
+#include <optional>
 #include <stdexcept>
 #include <vector>
 
@@ -16,22 +20,38 @@ std::string whereText(const std::string& topic, ros::Time stamp) {
   return " in " + topic + " at " + std::to_string(stamp.toSec()) + " s";
 }
 
+namespace {
+
+/// No clock has come this far, and who computes with such stamps leaves what ros::Time can hold [s]: a day before 2^32.
+constexpr std::uint32_t kEndOfTime = std::numeric_limits<std::uint32_t>::max() - 86400;
+
+}  // namespace
+
 class Intake::Impl {
  public:
-  Impl(Bus& bus, double restart_limit, OnNewRun on_new_run)
-      : bus_(bus), guard_(0, restart_limit), on_new_run_(std::move(on_new_run)) {}
+  using Standing = tws::RunGuard::Standing;
+
+  Impl(Bus& bus, double restart_limit, OnNewRun on_new_run, double skew_limit)
+      : bus_(bus), guard_(0, restart_limit, skew_limit), on_new_run_(std::move(on_new_run)) {}
 
   struct Topic {
     std::string name;
     StampOrder order;
     SenderName sender;
-    ros::Time newest;
+    std::string radar;
+    ros::Time newest = {};
     bool held = false;  // the latest message is to be held back
+    Standing standing = Standing::kInLine;
   };
 
+  /// Topics of one radar are one source.
   std::size_t addTopic(Topic topic) {
+    const auto is_its = [&](const Topic& other) { return !topic.radar.empty() && other.radar == topic.radar; };
+    const auto found = std::find_if(topics_.begin(), topics_.end(), is_its);
+    const auto other = static_cast<std::size_t>(found - topics_.begin());
+    const auto source = found == topics_.end() ? std::nullopt : std::optional<std::size_t>(guard_.sourceOf(other));
     topics_.push_back(std::move(topic));
-    return guard_.addStream();
+    return guard_.addStream(source);
   }
 
   Topic& topic(std::size_t stream) { return topics_[stream]; }
@@ -50,13 +70,21 @@ class Intake::Impl {
   bool judge(std::size_t stream, ros::Time stamp) {
     Topic& topic = topics_[stream];
     topic.held = false;
-    switch (guard_.judge(stream, toSeconds(stamp))) {
+    if (stamp.sec >= kEndOfTime) {
+      count("bad messages", "a stamp at the end of time", stream, stamp);
+      return false;
+    }
+    const ros::Time now = bus_.now();
+    const auto clock = now.isZero() ? std::nullopt : std::optional<double>(toSeconds(now));
+    const tws::RunGuard::Verdict verdict = guard_.judge(stream, toSeconds(stamp), clock);
+    reportStanding(stream, stamp);
+    switch (verdict) {
       case tws::RunGuard::Verdict::kTake:
         if (!held_.empty()) release(stream);
         return isInOrder(stream, stamp);
       case tws::RunGuard::Verdict::kHold:
         topic.held = true;
-        count("stray messages", "the stamp is out of line: held back until others agree with it", stream, stamp);
+        countHeld(stream, stamp);
         return false;
       case tws::RunGuard::Verdict::kNewRun:
         count("new runs", "time has gone back", stream, stamp);
@@ -87,6 +115,26 @@ class Intake::Impl {
     ros::Time stamp;
     std::function<void()> give;
   };
+
+  void reportStanding(std::size_t stream, ros::Time stamp) {
+    const Standing before = topics_[stream].standing;
+    const Standing now = topics_[stream].standing = guard_.standing(stream);
+    if (now == before) return;
+    const std::string off = std::to_string(std::abs(toSeconds(stamp) - *guard_.newest())) + " s";
+    if (now == Standing::kSetAside)
+      count("set aside", "its clock is " + off + " off the others': left out until it agrees with them", stream, stamp);
+    if (now == Standing::kLagging) count("backlogs", off + " behind the others: taken in all the same", stream, stamp);
+    if (before == Standing::kSetAside && now == Standing::kInLine)
+      count("joined again", "its clock agrees with the others again", stream, stamp);
+  }
+
+  void countHeld(std::size_t stream, ros::Time stamp) {
+    if (topics_[stream].standing == Standing::kRivalled)
+      count("messages of a second publisher",
+            "messages of another time come between: left out; is the radar, or a bag, played twice?", stream, stamp);
+    else
+      count("stray messages", "the stamp is out of line: held back until others agree with it", stream, stamp);
+  }
 
   bool isInOrder(std::size_t stream, ros::Time stamp) {
     Topic& topic = topics_[stream];
@@ -128,15 +176,15 @@ class Intake::Impl {
   bool releasing_ = false;
 };
 
-Intake::Intake(Bus& bus, double restart_limit, OnNewRun on_new_run)
-    : bus_(bus), impl_(std::make_unique<Impl>(bus, restart_limit, std::move(on_new_run))) {}
+Intake::Intake(Bus& bus, double restart_limit, OnNewRun on_new_run, double skew_limit)
+    : bus_(bus), impl_(std::make_unique<Impl>(bus, restart_limit, std::move(on_new_run), skew_limit)) {}
 Intake::~Intake() = default;
 
 bool Intake::isReleasing() const { return impl_->isReleasing(); }
 const std::string& Intake::radarOf(const std::string& topic) const { return impl_->topic(topic).sender.name(); }
 
 std::size_t Intake::addTopic(const std::string& name, const std::string& radar, StampOrder order) {
-  return impl_->addTopic({name, order, SenderName(radar), {}});
+  return impl_->addTopic({name, order, SenderName(radar), radar});
 }
 
 bool Intake::isFrom(std::size_t stream, const std::string& name, ros::Time stamp) {

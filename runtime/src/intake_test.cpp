@@ -120,6 +120,48 @@ TEST_F(IntakeTest, LateMessagesAreCountedWhereOrderMatters) {
   EXPECT_EQ(count("late messages"), 1u);
 }
 
+// If these fail, one source's clock ends what others hold, or nobody learns which one it was.
+TEST_F(IntakeTest, ASourceWhoseClockIsOffIsSetAsideNamedAndJoinedAgain) {
+  for (int i = 0; i < 600; ++i) {
+    sendTracks(5000.0 + 0.1 * i);
+    sendMark(5000.0 + 0.1 * i - (i >= 200 && i < 400 ? 3600.0 : 0.0));
+  }
+  EXPECT_TRUE(new_runs.empty());
+  EXPECT_EQ(tracks.size(), 600u);
+  EXPECT_EQ(marks.size(), 400u);
+  EXPECT_EQ(count("set aside"), 1u);
+  EXPECT_EQ(count("joined again"), 1u);
+  EXPECT_NE(log.str().find("off the others': left out until it agrees with them in /a/sector_marks at 1421.000000 s"),
+            std::string::npos)
+      << log.str();
+}
+
+TEST_F(IntakeTest, ASecondPublisherIsNamed) {
+  for (int i = 0; i < 20; ++i) {
+    sendMark(5000.0 + 0.1 * i);
+    sendMark(1000.0 + 0.1 * i);
+  }
+  EXPECT_EQ(marks.size(), 20u);
+  EXPECT_EQ(count("messages of a second publisher"), 18u);
+}
+
+// If this fails, a node that stood still leaves out what its sockets have kept for it.
+TEST_F(IntakeTest, ABacklogOfOneTopicIsTakenAndSaid) {
+  sendTracks(100.0);
+  for (int i = 0; i < 900; ++i) sendMark(100.0 + 0.1 * i);
+  for (int i = 1; i < 900; ++i) sendTracks(100.0 + 0.1 * i);
+  EXPECT_EQ(tracks.size(), 900u);
+  EXPECT_EQ(count("backlogs"), 1u);
+  EXPECT_TRUE(new_runs.empty());
+}
+
+TEST_F(IntakeTest, AStampAtTheEndOfTimeIsRefused) {
+  sendMark(4294967295.5);
+  sendMark(100.0);
+  EXPECT_EQ(marks.size(), 1u);
+  EXPECT_EQ(count("bad messages"), 1u);
+}
+
 // If this fails, a radar under a remapped topic is refused, or a stray message of another one is taken for its own.
 TEST_F(IntakeTest, TheNameThatThePublisherUsesCounts) {
   EXPECT_EQ(intake.radarOf("/a/sector_marks"), "a");

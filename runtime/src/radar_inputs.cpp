@@ -28,7 +28,8 @@ class RadarInputs::Impl {
         frames_(radars.size()),
         on_sector_(std::move(on_sector)),
         on_new_run_(std::move(on_new_run)),
-        intake_(bus, options.restart_limit, [this](double time) { beginNewRun(time); }) {
+        intake_(
+            bus, options.restart_limit, [this](double time) { beginNewRun(time); }, options.skew_limit) {
     joins_.reserve(radars.size());
     for (std::size_t radar = 0; radar < radars.size(); ++radar) {
       joins_.emplace_back(SectorJoin::Options{options.wait_limit, options.restart_limit}, eventsOf(radar));

@@ -19,6 +19,8 @@ namespace {
 /// A graph with two radars, of turns of 6 and 8 s, and what comes of them.
 class TwoRadars : public ::testing::Test {
  protected:
+  explicit TwoRadars(double skew_limit = std::numeric_limits<double>::infinity()) : skew_limit_(skew_limit) {}
+
   static constexpr double kSectorTimes[2] = {6.0 / 64.0, 8.0 / 64.0};
 
   template <class M>
@@ -54,6 +56,7 @@ class TwoRadars : public ::testing::Test {
   }
   std::uint64_t count(const std::string& name) { return listener.counter(name).value(); }
 
+  double skew_limit_;  // [s]
   std::ostringstream log;
   LocalGraph graph{log};
   Bus& radar = graph.addNode("radars");
@@ -66,7 +69,7 @@ class TwoRadars : public ::testing::Test {
   int new_runs = 0;
   RadarInputs inputs{listener,
                      {usualTopics("a"), usualTopics("b")},
-                     RadarInputs::Options(),
+                     RadarInputs::Options{0.5, 5.0, skew_limit_},
                      [this](std::size_t i, const tws::RadarSector& sector) { given[i].push_back(sector.running); },
                      [this](double) {
                        ++new_runs;
@@ -100,6 +103,16 @@ TEST_F(TwoRadars, ANewRunThatBeginsOnBothInTurnsLosesNothing) {
   EXPECT_EQ(given[1].size(), 39u);
 }
 
+// If this fails, a recording that is played in a loop is left out by half from its second time on.
+TEST_F(TwoRadars, ARecordingInALoopBeginsAnewEachTime) {
+  for (int times = 0; times < 4; ++times) {
+    sendBoth(0.0, 20.0);
+    EXPECT_EQ(given[0].size(), 213u) << times;
+    EXPECT_EQ(given[1].size(), 159u) << times;
+  }
+  EXPECT_EQ(new_runs, 3);
+}
+
 // If this fails, a sector whose stamps were damaged on their way, or a radar with a clock of its own, ends all tracks.
 TEST_F(TwoRadars, ASectorWithBadStampsEndsNoRun) {
   double time = 0.0;
@@ -125,6 +138,26 @@ TEST_F(TwoRadars, OneRadarDoesNotDecideForTheOther) {
   EXPECT_EQ(new_runs, 0);
   EXPECT_GT(given[1].size(), 510u);
   EXPECT_NE(log.str().find("a/sector_marks"), std::string::npos) << "it is named";
+}
+
+/// The same, where a radar must not step a second from the other.
+class TwoRadarsInStep : public TwoRadars {
+ protected:
+  TwoRadarsInStep() : TwoRadars(1.0) {}
+};
+
+// If this fails, a radar whose clock steps by seconds makes the other one's sectors late, or nobody says which it was.
+TEST_F(TwoRadarsInStep, ARadarWhoseClockStepsIsSetAsideUntilItAgreesAgain) {
+  sendBoth(0.0, 20.0);
+  for (std::uint32_t i = 0; i < 200; ++i) {
+    const double off = i < 100 ? 3.0 : 0.0;
+    sendSector(0, 214 + i, off);
+    if (i % 4 != 0) sendSector(1, 160 + i - i / 4 - 1);
+  }
+  EXPECT_EQ(given[1].size(), 309u);
+  EXPECT_EQ(count("set aside"), 2u) << "its detections and its marks";
+  EXPECT_EQ(count("joined again"), 2u);
+  EXPECT_EQ(given[0].back(), 412);
 }
 
 /// A graph with a radar "a" that this test plays, and a listener.

@@ -2,11 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+#include <optional>
 #include <vector>
 
 namespace tws {
 namespace {
 
+using Standing = RunGuard::Standing;
 using Verdict = RunGuard::Verdict;
 
 constexpr double kDay = 86400.0;
@@ -116,6 +119,134 @@ TEST_F(RunGuardTest, GetsOverAStrayFirstStamp) {
   EXPECT_EQ(guard.judge(0, 100.0 + kDay), Verdict::kTake);
   EXPECT_EQ(judgeRun(guard, {0, 1}, 100.0, 20), Verdict::kNewRun);
   EXPECT_EQ(judgeRun(guard, {0, 1}, 101.0, 20), Verdict::kTake);
+}
+
+// If these fail, a node that stood still for a while (its streams then come one after the other) forgets all, or one
+// radar's clock ends the tracks of the others.
+
+TEST_F(RunGuardTest, ABacklogIsWorkedOff) {
+  RunGuard guard = running(2);
+  for (int i = 0; i < 3000; ++i) ASSERT_EQ(guard.judge(0, 100.0 + kStep * i), Verdict::kTake);
+  for (int i = 0; i < 3000; ++i) {
+    ASSERT_EQ(guard.judge(1, 100.0 + kStep * i), Verdict::kTake) << i;
+    ASSERT_EQ(guard.standing(1), i < 2949 ? Standing::kLagging : Standing::kInLine) << i;
+  }
+}
+
+/// Two radars of two streams each, abreast up to 100 s.
+class TwoSources : public RunGuardTest {
+ protected:
+  explicit TwoSources(double skew_limit = std::numeric_limits<double>::infinity()) : guard(0, 5.0, skew_limit) {
+    for (const std::size_t first : {0u, 2u}) {
+      guard.addStream();
+      guard.addStream(guard.sourceOf(first));
+    }
+    go(200);
+  }
+  /// Both go on for so many messages, the first `off` from the other; how many of its messages are taken.
+  int go(int messages, double off = 0.0, std::optional<double> clock_off = {}) {
+    int taken = 0;
+    for (int i = 0; i < messages; ++i) {
+      now += kStep;
+      const auto clock = clock_off ? std::optional<double>(now + *clock_off) : std::nullopt;
+      for (const std::size_t stream : {0u, 1u}) {
+        const Verdict verdict = guard.judge(stream, now + off, clock);
+        taken += verdict != Verdict::kHold ? 1 : 0;
+        changes += verdict == Verdict::kNewRun || verdict == Verdict::kResume ? 1 : 0;
+      }
+      for (const std::size_t stream : {2u, 3u}) healthy += guard.judge(stream, now, clock) == Verdict::kTake ? 0 : 1;
+    }
+    return taken;
+  }
+
+  double now = 80.0;
+  RunGuard guard;
+  int changes = 0;
+  int healthy = 0;  // messages of the other radar that were not taken
+};
+
+TEST_F(TwoSources, OnesClockDoesNotTouchTheOtherUntilItAgreesAgain) {
+  for (const double off : {-3600.0, 3600.0, -30.0, 6.0}) {
+    EXPECT_EQ(go(1000, off), 0) << off;
+    EXPECT_EQ(guard.standing(0), Standing::kSetAside) << off;
+    EXPECT_EQ(guard.standing(2), Standing::kInLine) << off;
+    EXPECT_EQ(go(100), 200) << off;
+    EXPECT_EQ(guard.standing(0), Standing::kInLine) << off;
+    EXPECT_EQ(changes + healthy, 0) << off;
+  }
+}
+
+TEST_F(TwoSources, AStoppedClockIsSetAside) {
+  for (double time = 100.0; time < 110.0; time += kStep) {
+    EXPECT_EQ(guard.judge(0, 0.0), Verdict::kHold);
+    EXPECT_EQ(guard.judge(2, time), Verdict::kTake);
+  }
+  EXPECT_EQ(guard.standing(0), Standing::kSetAside);
+}
+
+TEST_F(TwoSources, StreamsOfOneSourceHaveOneVoteAndNoneAgainstTheirOwn) {
+  for (double time = 100.0; time < 200.0; time += kStep) {
+    EXPECT_EQ(guard.judge(0, time - 90.0), Verdict::kHold);
+    EXPECT_EQ(guard.judge(1, time), Verdict::kTake);
+  }
+}
+
+TEST_F(TwoSources, OneDecidesAloneOnlyWhenTheOtherHasBeenSilentForLong) {
+  for (double time = 0.0; time < 59.0; time += kStep) ASSERT_EQ(guard.judge(0, time), Verdict::kHold);
+  EXPECT_EQ(judgeRun(guard, {0}, 59.0, 20), Verdict::kNewRun);
+}
+
+TEST_F(TwoSources, TheClockDecidesWhenTheTwoDisagree) {
+  go(100, -3600.0, 0.0);
+  EXPECT_EQ(changes, 0) << "the clock is with the run";
+  go(100, -3600.0, -3600.0);
+  EXPECT_EQ(changes, 1) << "the clock is with the one that went back";
+  EXPECT_EQ(guard.standing(2), Standing::kSetAside);
+}
+
+TEST_F(TwoSources, BothTogetherBeginANewRun) {
+  for (double time = 1.0; time < 3.0; time += kStep)
+    for (const std::size_t stream : {0u, 1u, 2u, 3u})
+      changes += guard.judge(stream, time, time) == Verdict::kNewRun ? 1 : 0;
+  EXPECT_EQ(changes, 1);
+  for (const std::size_t stream : {0u, 1u, 2u, 3u}) EXPECT_EQ(guard.standing(stream), Standing::kInLine);
+}
+
+/// The same, where more than a second out of step is too much.
+class TwoSourcesInStep : public TwoSources {
+ protected:
+  TwoSourcesInStep() : TwoSources(1.0) {}
+};
+
+TEST_F(TwoSourcesInStep, AStepOfSecondsIsSetAsideAndAHalfIsNot) {
+  EXPECT_EQ(go(100, 0.5), 200);
+  EXPECT_EQ(go(100), 200);
+  for (const double off : {3.0, -3.0}) {
+    EXPECT_EQ(go(100, off), 0) << off;
+    EXPECT_EQ(guard.standing(0), Standing::kSetAside) << off;
+    EXPECT_EQ(go(100), 200) << off;
+  }
+  EXPECT_EQ(changes + healthy, 0);
+}
+
+TEST_F(TwoSourcesInStep, APauseOfSecondsOfOneOrOfBothIsNoStep) {
+  for (int i = 0; i < 30; ++i) EXPECT_EQ(guard.judge(2, now += kStep), Verdict::kTake);
+  EXPECT_EQ(go(70), 140) << "one was silent";
+  now += 3.0;
+  go(70);
+  EXPECT_EQ(changes, 1) << "both were";
+  EXPECT_EQ(guard.standing(0), Standing::kInLine);
+  EXPECT_EQ(guard.standing(2), Standing::kInLine);
+}
+
+// If this fails, a bag that someone plays into a live graph is taken for one that begins anew, or nobody learns of it.
+TEST_F(TwoSources, ASecondPublisherIsLeftOutAndNamed) {
+  for (double time = 100.0; time < 106.0; time += kStep) {
+    EXPECT_EQ(guard.judge(0, time - 80.0), Verdict::kHold);
+    EXPECT_EQ(guard.standing(0) == Standing::kRivalled, time > 100.15) << time;
+    EXPECT_EQ(guard.judge(0, time), Verdict::kTake);
+    EXPECT_EQ(guard.judge(2, time), Verdict::kTake);
+  }
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <string>
 #include <type_traits>
@@ -45,9 +46,12 @@ struct IntakeTopic {
 ///
 /// - "bad messages": another radar's, or with a fault. Under a remapped topic a radar may have another name than the
 ///   node was told: the one that its publisher uses counts, and is kept until three messages in a row bear another one.
-/// - "stray messages": the stamp is out of line (tws::RunGuard over all topics of the intake). Such messages are held
-///   back, at most 512 of a topic, and given when enough others agree with them: then "new runs" or "pauses" is
-///   counted.
+/// - "stray messages": the stamp is out of line (tws::RunGuard over all topics of the intake; topics of one radar are
+///   one source). Such messages are held back, at most 512 of a topic, and given when enough others agree with them:
+///   then "new runs" or "pauses" is counted.
+/// - "set aside" and "joined again": a topic's clock contradicts the other sources', and agrees with them again.
+/// - "messages of a second publisher": of another time, between those of the topic, again and again.
+/// - "backlogs": a topic goes on where it was, far behind the others. What it brings is taken.
 /// - "late messages": see StampOrder.
 ///
 /// One bad stamp, a day ahead or a day back, in one message or in a detection and its mark together, is thus left out.
@@ -57,8 +61,10 @@ class Intake {
   /// A new run begins at this time [s]: forget the old one. What was held back of the new one is given next.
   using OnNewRun = std::function<void(double time)>;
 
-  /// `restart_limit` [s], > 0: a smaller step back is late data of the same run.
-  Intake(Bus& bus, double restart_limit, OnNewRun on_new_run = {});
+  /// `restart_limit` [s], > 0: a smaller step back is late data of the same run. `skew_limit` [s], > 0: a radar that
+  /// steps this far from the others is set aside already.
+  Intake(Bus& bus, double restart_limit, OnNewRun on_new_run = {},
+         double skew_limit = std::numeric_limits<double>::infinity());
   ~Intake();
 
   template <class M>

@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -33,6 +34,8 @@ class RadarInputs {
   struct Options {
     double wait_limit = 0.5;     ///< Longest wait for a lost message [s of data time], >= 0; below the merger's limit.
     double restart_limit = 5.0;  ///< Time that goes back by more begins a new run [s], > 0.
+    /// A radar whose clock steps this far from the others' is set aside [s], > 0.
+    double skew_limit = std::numeric_limits<double>::infinity();
   };
   using OnSector = std::function<void(std::size_t radar, tws::RadarSector sector)>;
   /// Time has gone back to this [s], for all radars: forget the old run.
