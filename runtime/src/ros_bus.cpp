@@ -9,12 +9,14 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <map>
 #include <mutex>
 #include <optional>
 #include <stdexcept>
 
 #include "any_message.h"
+#include "backlog.h"
 #include "counter_set.h"
 #include "data_timers.h"
 #include "process_subscriptions.h"
@@ -105,6 +107,10 @@ ProcessTransforms& processTransforms() {
   return *the_ones;
 }
 
+double steadyTime() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
 std::string withoutSlash(const std::string& name) { return name.empty() || name[0] != '/' ? name : name.substr(1); }
 
 }  // namespace
@@ -144,6 +150,22 @@ class RosBus::Impl {
         counters.get("refused transforms").add(transform.header.frame_id + " to " + transform.child_frame_id);
   }
 
+  void beat() {
+    if (const auto stood_still = backlog.beat(steadyTime()))
+      counters.get("standstills")
+          .add("the node stood still for " + std::to_string(*stood_still) +
+               " s of wall time; what came meanwhile is worked off in order of its stamps");
+  }
+
+  AnySubscription::Handler inOrder(const MessageType& type, AnySubscription::Handler handler) {
+    const std::size_t topic = backlog.addTopic();
+    return [this, topic, stampOf = type.stamp, handler = std::move(handler)](const auto& message) {
+      if (in_order) beat();
+      const auto give = [&handler, message] { handler(message); };
+      if (!in_order || !backlog.keep(topic, stampOf(message.get()).toSec(), steadyTime(), give)) give();
+    };
+  }
+
   void fireTimers(ros::Time now) {
     while (const auto due = data_timers.takeBefore(now)) due->handler(due->deadline);
   }
@@ -158,6 +180,8 @@ class RosBus::Impl {
   tf2::BufferCore transforms;
   std::optional<Publisher<tf2_msgs::TFMessage>> static_transform_publisher;
   DataTimers data_timers;
+  Backlog backlog;
+  bool in_order = false;  // what has gathered while the node stood still is handed over in order of time
   std::map<std::string, std::shared_ptr<RosChannel>> channels;
   // Last, so that nothing is called while the rest goes.
   std::vector<ros::Subscriber> subscribers;
@@ -243,6 +267,19 @@ void RosBus::spinFor(double wall_s) {
   } while (ok() && ros::WallTime::now() < end);
 }
 
+void RosBus::spinInOrder(double wall_s) {
+  const ros::WallTime end = ros::WallTime::now() + ros::WallDuration(wall_s);
+  impl_->in_order = true;
+  do {
+    impl_->beat();
+    const auto give = impl_->backlog.take(steadyTime());
+    if (give) (*give)();
+    // One by one: the work that a message makes is done before the next one, as if they had come at their time.
+    impl_->queue.callAvailable(give ? ros::WallDuration(0.0)
+                                    : std::max(ros::WallDuration(0.0), end - ros::WallTime::now()));
+  } while (ok() && ros::WallTime::now() < end);
+}
+
 void RosBus::spinOne(double wall_s) { impl_->queue.callOne(ros::WallDuration(wall_s)); }
 
 bool RosBus::ok() const { return ros::ok() && !impl_->stopped; }
@@ -264,6 +301,7 @@ std::shared_ptr<Channel> RosBus::openChannel(const std::string& topic, bool latc
 
 void RosBus::openSubscription(const std::string& topic, const MessageType& type,
                               std::function<void(const boost::shared_ptr<const void>&)> handler) {
+  if (type.has_header) handler = impl_->inOrder(type, std::move(handler));
   ros::SubscribeOptions options;
   options.topic = impl_->resolve(topic);
   options.queue_size = 0;

@@ -11,7 +11,7 @@ namespace tws_runtime {
 Program nodeProgram(const NodeFactory& makeNode) {
   return [makeNode](RosBus& bus) {
     return [&bus, node = makeNode(bus)] {
-      while (bus.ok()) bus.spinFor(0.1);
+      while (bus.ok()) bus.spinInOrder(0.1);
     };
   };
 }

@@ -43,6 +43,9 @@ class RosBus : public Bus {
 
   /// Calls what waits and what comes meanwhile, for at least `wall_s` [s of wall time], >= 0, or until ok() says false.
   void spinFor(double wall_s);
+  /// The same for a node that only listens: what has gathered in its sockets while it stood still is handed over in
+  /// order of its stamps, not topic by topic, and counted as "standstills".
+  void spinInOrder(double wall_s);
   /// Calls the next thing that waits or comes within `wall_s` [s of wall time], >= 0.
   void spinOne(double wall_s);
   /// Says false once the node should end: ROS shuts down, or stop() was called.
