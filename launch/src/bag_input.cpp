@@ -9,6 +9,7 @@
 #include <tws_msgs/SectorMark.h>
 #include <tws_msgs/SsrPlots.h>
 #include <tws_msgs/Tracks.h>
+#include <tws_runtime/conversions.h>
 
 #include <algorithm>
 #include <set>
@@ -214,7 +215,7 @@ class BagReader {
         names.push_back(input_.topics.at(topic.name));
     if (names.empty()) return;
     rosbag::View view(bag_, rosbag::TopicQuery(names));
-    input_.length = (view.getEndTime() - view.getBeginTime()).toSec();
+    input_.length = tws_runtime::toSeconds(view.getEndTime()) - tws_runtime::toSeconds(view.getBeginTime());
   }
 
   RunInput& input_;

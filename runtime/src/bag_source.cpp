@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cstring>
 #include <map>
+#include <new>
 #include <set>
 #include <stdexcept>
 
@@ -79,8 +80,11 @@ class BagSource::Impl {
     try {
       read = readMessage(message, output);
     } catch (const ros::Exception& exception) {  // Of rosbag or of deserialisation.
-      error = path_ + ": topic " + message.getTopic() + " at " + std::to_string(message.getTime().toSec()) +
-              " s cannot be read: " + exception.what();
+      error = unreadable(message, exception.what());
+    } catch (const std::bad_alloc&) {  // roscpp believes the length of a list before it has seen that many elements.
+      error = unreadable(message, "a list in it is too long");
+    } catch (const std::length_error&) {
+      error = unreadable(message, "a list in it is too long");
     }
     ++next_;  // Also past a bad message, so that the caller may go on.
     if (!read) throw std::runtime_error(error);
@@ -98,6 +102,11 @@ class BagSource::Impl {
     std::shared_ptr<Channel> channel;
     boost::shared_ptr<const void> (*read)(ros::serialization::IStream&);
   };
+
+  std::string unreadable(const rosbag::MessageInstance& message, const std::string& why) const {
+    return path_ + ": topic " + message.getTopic() + " at " + std::to_string(message.getTime().toSec()) +
+           " s cannot be read: " + why;
+  }
 
   boost::shared_ptr<const void> readMessage(const rosbag::MessageInstance& message, const Output& output) {
     buffer_.resize(message.size());

@@ -6,6 +6,7 @@
 #include <rosbag/view.h>
 #include <std_msgs/Int32.h>
 #include <std_msgs/String.h>
+#include <tws_msgs/Truth.h>
 #include <tws_runtime/local_graph.h>
 #include <tws_runtime/run.h>
 
@@ -253,6 +254,23 @@ TEST_F(BagTest, AMessageWithTooFewBytesIsNamedAndTheNextOneFollows) {
   graph.drain();
   EXPECT_EQ(received, std::vector<int>{3});
   EXPECT_FALSE(source.nextTime());
+}
+
+TEST_F(BagTest, AListLongerThanAnyMemoryIsNamed) {
+  MessageType endless = messageType<tws_msgs::Truth>();
+  endless.length = [](const void*) -> std::uint32_t { return 20; };
+  endless.write = [](const void*, ros::serialization::OStream& stream) {
+    for (int i = 0; i < 4; ++i) stream.next(std::uint32_t{0});  // the header
+    stream.next(std::uint32_t{0xffffffff});
+  };
+  {
+    rosbag::Bag bag(path("endless.bag"), rosbag::bagmode::Write);
+    bag.write("/truth", ros::Time(7.5), AnyMessage{&endless, boost::make_shared<int>(0)});
+  }
+  LocalGraph graph(log);
+  graph.addNode("ear").subscribe<tws_msgs::Truth>("/truth", [](const tws_msgs::Truth&) {});
+  BagSource source(graph, path("endless.bag"));
+  expectError([&] { source.step(); }, {path("endless.bag"), "/truth", "7.5", "too long"});
 }
 
 TEST_F(BagTest, ARecordingThatCannotBeWrittenIsRefusedByName) {

@@ -21,6 +21,13 @@ TEST(LockStep, ACommandTakesEffectAtItsStampPlusTheLatencyHoweverEarlyItCame) {
   EXPECT_EQ(loop.takeDue(at(10.3)), Commands{});
 }
 
+// If this fails, one bad stamp of a command ends the simulator.
+TEST(LockStep, AStampAtTheEndOfTimeIsNotDue) {
+  LockStep<std::string> loop(ros::Duration(0.2));
+  loop.hear(ros::TIME_MAX, "a");
+  EXPECT_EQ(loop.takeDue(at(10.0)), Commands{});
+}
+
 TEST(LockStep, CommandsTakeEffectInTheOrderOfTheirStamps) {
   LockStep<std::string> loop(ros::Duration(0.0));
   loop.add(at(2.0), "second");

@@ -1,10 +1,17 @@
 #include <tws_runtime/local_graph.h>
 #include <tws_runtime/run.h>
 
+#include <cstdint>
 #include <optional>
 
 namespace tws_runtime {
 namespace {
+
+/// Whether a source has gone on for longer than `duration`. One bad stamp may lie further off than a ros::Duration can
+/// say.
+bool isBeyond(ros::Time time, ros::Time start, ros::Duration duration) {
+  return time > start && time.toNSec() - start.toNSec() > static_cast<std::uint64_t>(duration.toNSec());
+}
 
 /// The source to step next and when; null: all have ended.
 struct Next {
@@ -27,7 +34,7 @@ void runOffline(LocalGraph& graph, const std::vector<Source*>& sources, ros::Dur
                 const std::function<bool()>& continues) {
   const ros::Time start = earliest(sources).time;
   for (Next next = earliest(sources); next.source; next = earliest(sources)) {
-    if (next.time > start && next.time - start > duration) break;
+    if (isBeyond(next.time, start, duration)) break;
     if (continues && !continues()) break;
     graph.advanceTo(next.time);
     next.source->step();

@@ -3,6 +3,7 @@
 #include <ros/time.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <set>
@@ -62,7 +63,12 @@ class LockStep {
   }
 
  private:
-  bool isDue(ros::Time stamp, ros::Time step) const { return stamp + latency_ <= step + ros::Duration(0, 1000); }
+  /// Without sums of ros::Time, which throw for a bad stamp.
+  bool isDue(ros::Time stamp, ros::Time step) const {
+    constexpr std::int64_t kRounding = 1000;  // [ns]
+    return static_cast<std::int64_t>(stamp.toNSec()) + latency_.toNSec() <=
+           static_cast<std::int64_t>(step.toNSec()) + kRounding;
+  }
 
   ros::Duration latency_;
   bool waits_ = true;
