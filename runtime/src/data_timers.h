@@ -22,7 +22,8 @@ class DataTimers {
     Handler handler;
   };
   /// Takes the earliest deadline before `time`; nothing when there is none. Of equal deadlines the timer added first
-  /// goes first. The first call sets the start: no deadline lies before it. When time goes back, it starts anew there.
+  /// goes first. The first call sets the start: no deadline lies before it. When time goes back, it starts anew there;
+  /// when it goes ahead by more than a minute, each timer's latest deadline stands for all that lie in between.
   std::optional<Due> takeBefore(ros::Time time);
 
   bool empty() const { return timers_.empty(); }
@@ -34,6 +35,7 @@ class DataTimers {
     std::int64_t next_ns;
   };
   void startAt(std::int64_t time_ns);
+  void skipTo(std::int64_t time_ns);
 
   std::vector<Timer> timers_;
   std::optional<std::int64_t> last_ns_;  ///< The latest time seen; nothing before the start.

@@ -5,6 +5,7 @@
 #include <std_msgs/String.h>
 #include <tws_msgs/DropTrack.h>
 #include <tws_msgs/InitiateTrack.h>
+#include <tws_runtime/run.h>
 
 #include <sstream>
 #include <stdexcept>
@@ -219,6 +220,28 @@ TEST_F(LocalGraphTest, WhatATimerPublishesIsDeliveredBeforeTimeMovesOn) {
   graph.advanceTo(ros::Time(10, 0));
   graph.advanceTo(ros::Time(12, 1));
   EXPECT_EQ(received, (std::vector<int>{10, 11, 12}));
+}
+
+// If this fails, a night between two recordings floods the graph with what a timer would have published meanwhile.
+TEST_F(LocalGraphTest, AfterALongGapATimerIsCalledOnce) {
+  std::vector<std::uint32_t> deadlines;
+  a.everyData(2.0, [&](ros::Time deadline) { deadlines.push_back(deadline.sec); });
+  for (const std::uint32_t time : {10u, 15u, 28815u, 28817u}) graph.advanceTo(ros::Time(time, 0));
+  EXPECT_EQ(deadlines, (std::vector<std::uint32_t>{10, 12, 14, 28814, 28816}));
+}
+
+// If this fails, one bad stamp in a bag ends an offline run with "Duration is out of dual 32-bit range".
+TEST_F(LocalGraphTest, ARunGetsOverAStampAtTheEndOfTime) {
+  class Stamps : public Source {
+   public:
+    std::optional<ros::Time> nextTime() const override {
+      return steps < 2 ? std::optional<ros::Time>(ros::Time(steps == 0 ? 1 : 4294967295U, 0)) : std::nullopt;
+    }
+    void step() override { ++steps; }
+    int steps = 0;
+  } source;
+  runOffline(graph, {&source});
+  EXPECT_EQ(source.steps, 2);
 }
 
 TEST_F(LocalGraphTest, ATimerWithoutAPeriodIsRefused) {
