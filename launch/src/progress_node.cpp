@@ -9,6 +9,12 @@
 #include "in_words.h"
 
 namespace tws_launch {
+namespace {
+
+constexpr double kSilent = 15.0;  // [s of data time]: longer than any tracker lags behind its radars
+constexpr double kStands = 4.0;   // [s of wall time]
+
+}  // namespace
 
 ProgressNode::ProgressNode(tws_runtime::Bus& bus, std::ostream& out) : out_(out) {
   tws_runtime::ParameterReader reader(bus.parameters(), bus.name());
@@ -41,9 +47,13 @@ ProgressNode::ProgressNode(tws_runtime::Bus& bus, std::ostream& out) : out_(out)
 void ProgressNode::say(double period) {
   const Clock::time_point now = Clock::now();
   if (summary_.plots() == 0) start_ = now;
+  if (summary_.plots() != plots_) last_grown_ = now;
+  plots_ = summary_.plots();
   if (summary_.plots() == 0 || now - last_said_ < std::chrono::duration<double>(period)) return;
   last_said_ = now;
-  out_ << progressLine(summary_, length_, std::chrono::duration<double>(now - start_).count()) << std::endl;
+  const double stands = std::chrono::duration<double>(now - last_grown_).count();
+  out_ << progressLine(summary_, length_, std::chrono::duration<double>(now - start_).count())
+       << (stands > kStands ? ", no plot for " + oneDecimal(stands) + " s of wall time" : "") << std::endl;
 }
 
 std::string progressLine(const RunSummary& summary, double length, double wall_time) {
@@ -56,6 +66,8 @@ std::string progressLine(const RunSummary& summary, double length, double wall_t
           std::to_string(std::lround(static_cast<double>(summary.plots()) / wall_time)) + " plots/s";
   if (length > done && done > 0.0)
     line += ", " + std::to_string(std::lround(wall_time * (length - done) / done)) + " s left";
+  for (const auto& [name, silence] : summary.silent(kSilent))
+    line += ", " + name + " silent for " + oneDecimal(silence) + " s";
   return line;
 }
 

@@ -4,6 +4,7 @@
 #include <tws_runtime/bus.h>
 
 #include <chrono>
+#include <cstdint>
 #include <iosfwd>
 #include <string>
 
@@ -38,10 +39,12 @@ class ProgressNode {
   RunSummary summary_;
   Clock::time_point start_ = Clock::now();
   Clock::time_point last_said_ = start_;
+  Clock::time_point last_grown_ = start_;
+  std::uint64_t plots_ = 0;
 };
 
-/// "12.0 of 300.0 s simulated (4 %), 17 tracks, 340 plots/s, 29 s left", from what was counted in `wall_time` [s, > 0].
-/// `length` of the run [s], 0: unknown.
+/// "12.0 of 300.0 s simulated (4 %), 17 tracks, 340 plots/s, 29 s left, adit silent for 20.0 s", from what was counted
+/// in `wall_time` [s, > 0]. `length` of the run [s], 0: unknown.
 std::string progressLine(const RunSummary& summary, double length, double wall_time);
 
 }  // namespace tws_launch

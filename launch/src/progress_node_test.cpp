@@ -31,6 +31,20 @@ TEST(Progress, SaysTimeTracksPlotsPerSecondAndWhatIsLeft) {
   EXPECT_EQ(progressLine(summary, 120.0, 3.0), "30.0 of 120.0 s simulated (25 %), 1 tracks, 100 plots/s, 9 s left");
 }
 
+// If this fails, a tracker that stands looks alive to the end: its last tracks are shown as if they were today's.
+TEST(Progress, SaysWhoIsSilentAndForHowLong) {
+  RunSummary summary;
+  tws_msgs::Tracks tracks;
+  tracks.tracker = "adit";
+  tracks.header.stamp = ros::Time(1000.0);
+  summary.add(detections(1000.0, 1));
+  summary.add(tracks);
+  summary.add(detections(1014.0, 1));
+  EXPECT_EQ(progressLine(summary, 0.0, 1.0), "14.0 s simulated, 0 tracks, 2 plots/s");
+  summary.add(detections(1020.0, 1));
+  EXPECT_EQ(progressLine(summary, 0.0, 1.0), "20.0 s simulated, 0 tracks, 3 plots/s, adit silent for 20.0 s");
+}
+
 TEST(Progress, OfARunOfUnknownLengthSaysNoPercentAndNoRest) {
   RunSummary summary;
   summary.add(detections(5.0, 1));

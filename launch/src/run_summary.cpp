@@ -2,6 +2,7 @@
 
 #include <rosbag/bag.h>
 #include <rosbag/view.h>
+#include <tws_runtime/conversions.h>
 
 #include <algorithm>
 #include <iomanip>
@@ -53,14 +54,14 @@ RunSummary RunSummary::ofBag(const std::string& path) {
 }
 
 void RunSummary::add(const tws_msgs::Detections& message) {
-  beAlive(message.header.stamp);
+  beAlive(message.radar, message.header.stamp);
   Radar& radar = radars_[message.radar];
   ++radar.sectors;
   radar.plots += message.detections.size();
 }
 
 void RunSummary::add(const tws_msgs::DwellReports& message) {
-  beAlive(message.header.stamp);
+  beAlive(message.radar, message.header.stamp);
   Array& array = arrays_[message.radar];
   ++array.periods;
   array.dwells += message.dwells.size();
@@ -71,18 +72,33 @@ void RunSummary::add(const tws_msgs::DwellReports& message) {
 }
 
 void RunSummary::add(const tws_msgs::RangeProfile& message) {
-  beAlive(message.header.stamp);
+  beAlive(message.radar, message.header.stamp);
   Staring& radar = staring_[message.radar];
   ++radar.profiles;
   radar.bins += message.amplitude.size();
 }
 
-void RunSummary::beAlive(ros::Time stamp) {
+void RunSummary::beAlive(const std::string& radar, ros::Time stamp) {
+  hear(radar, stamp);
   if (first_.isZero()) first_ = stamp;
   last_ = std::max(last_, stamp);
 }
 
+void RunSummary::hear(const std::string& name, ros::Time stamp) {
+  if (!stamp.isZero()) heard_[name] = std::max(heard_[name], stamp);
+}
+
+std::vector<std::pair<std::string, double>> RunSummary::silent(double limit) const {
+  std::vector<std::pair<std::string, double>> silent;
+  for (const auto& [name, stamp] : heard_) {
+    const double silence = tws_runtime::toSeconds(last_) - tws_runtime::toSeconds(stamp);
+    if (silence > limit) silent.emplace_back(name, silence);
+  }
+  return silent;
+}
+
 void RunSummary::add(const tws_msgs::Tracks& message) {
+  hear(message.tracker, message.header.stamp);
   Tracker& tracker = trackers_[message.tracker];
   for (const Track& track : message.tracks) {
     tracker.last_state[track.uid] = track.state;
@@ -92,6 +108,7 @@ void RunSummary::add(const tws_msgs::Tracks& message) {
 
 void RunSummary::add(const tws_msgs::CorrelatedTracks& message) {
   if (!correlator_) correlator_ = Correlator{};
+  hear("correlator", message.header.stamp);
   for (const tws_msgs::CorrelatedTrack& track : message.tracks) {
     correlator_->tracks.last_state[track.identity] = track.track.state;
     correlator_->kind[track.identity] = track.kind;
@@ -112,7 +129,7 @@ void RunSummary::add(const diagnostic_msgs::DiagnosticArray& message) {
   }
 }
 
-double RunSummary::simulatedTime() const { return (last_ - first_).toSec(); }
+double RunSummary::simulatedTime() const { return tws_runtime::toSeconds(last_) - tws_runtime::toSeconds(first_); }
 
 std::uint64_t RunSummary::plots() const {
   std::uint64_t plots = 0;
