@@ -1,9 +1,8 @@
 #pragma once
 
-#include <vector>
-
 #include "epoch.h"
 #include "metric_list.h"
+#include "sample.h"
 
 namespace track_evaluation {
 
@@ -22,7 +21,7 @@ class Accuracy {
 
  private:
   double nees_age_;
-  std::vector<double> position_, velocity_, along_, across_, nees_position_, nees_state_;
+  Sample position_, velocity_, along_, across_, nees_position_, nees_state_;
 };
 
 }  // namespace track_evaluation

@@ -7,7 +7,7 @@ namespace track_evaluation {
 
 void Continuity::add(const Epoch& epoch, const std::vector<int>& track_of, const std::vector<bool>& excused,
                      bool counted) {
-  if (!std::isnan(last_time_)) steps_.push_back(epoch.time - last_time_);
+  if (!std::isnan(last_time_)) steps_.add(epoch.time - last_time_);
   last_time_ = epoch.time;
   if (counted) epochs_ += 1.0;
   std::vector<bool> paired(epoch.tracks.size(), false);
@@ -58,7 +58,7 @@ void Continuity::addUnpaired(Life& life, bool required, bool counted) {
 
 double Continuity::truthHours() const {
   // As many truths as there were on average, for as long as the evaluated interval was.
-  return required_ / std::max(epochs_, 1.0) * std::max(epochs_ - 1.0, 1.0) * percentile(steps_, 50.0) / 3600.0;
+  return required_ / std::max(epochs_, 1.0) * std::max(epochs_ - 1.0, 1.0) * steps_.percentile(50.0) / 3600.0;
 }
 
 void Continuity::report(MetricList& metrics) const {

@@ -6,6 +6,7 @@
 
 #include "epoch.h"
 #include "metric_list.h"
+#include "sample.h"
 
 namespace track_evaluation {
 
@@ -44,7 +45,7 @@ class Continuity {
   std::map<std::uint32_t, Use> tracks_;
   double swaps_ = 0.0, breaks_ = 0.0, misses_ = 0.0, false_ = 0.0, required_ = 0.0, epochs_ = 0.0;
   double last_time_ = kUnknown;
-  std::vector<double> steps_;  // between epochs [s]
+  Sample steps_;  // between epochs [s]
 };
 
 }  // namespace track_evaluation

@@ -30,7 +30,10 @@ class IdentityMetrics {
   /// An update of a confirmed track by a detection at `time`.
   void addUpdate(double time, std::uint32_t track, const Eigen::Vector2d& position);
 
-  bool empty() const { return plots_.empty(); }
+  /// Nothing from before `until` [s] comes any more: it is counted, and its memory given back.
+  void settle(double until) { join(until, plots_, updates_, counts_); }
+
+  bool empty() const { return plots_.empty() && counts_.identities.empty(); }
   MetricList report() const;
 
  private:
@@ -43,12 +46,18 @@ class IdentityMetrics {
   struct Count {
     std::size_t plots = 0, updates = 0;
     std::map<std::uint32_t, std::size_t> by_other;  // updates by track, or by identity
-    std::vector<double> times;                      // of updates
+    double last = 0.0;                              // update [s]
+    double intervals = 0.0, gaps = 0.0, longest = 0.0;
   };
-  void join(std::map<std::uint32_t, Count>& identities, std::map<std::uint32_t, Count>& tracks) const;
+  struct Counts {
+    std::map<std::uint32_t, Count> identities, tracks;
+  };
+  void join(double until, std::vector<Event>& plots, std::vector<Event>& updates, Counts& counts) const;
+  void pair(const Event& plot, const Event& update, Counts& counts) const;
 
   IdentityParams params_;
-  std::vector<Event> plots_, updates_;
+  Counts counts_;                       // of what is settled
+  std::vector<Event> plots_, updates_;  // the rest
 };
 
 }  // namespace track_evaluation

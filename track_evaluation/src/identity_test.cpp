@@ -89,6 +89,22 @@ TEST(Identity, RefusesWhatIsNoNumber) {
   EXPECT_THROW(metrics.addUpdate(0.0, 1, {0, std::nan("")}), std::invalid_argument);
 }
 
+// If this fails, an evaluation for a day needs more and more memory, or says something else than a short one.
+TEST(Identity, WhatIsSettledOnTheWayCountsTheSame) {
+  IdentityMetrics all(small()), settled(small());
+  for (int scan = 0; scan < 200; ++scan) {
+    const double time = 4.0 * scan;
+    for (IdentityMetrics* metrics : {&all, &settled}) {
+      for (const std::uint32_t who : {1u, 2u, 0777u}) metrics->addPlot(time, who, {10e3 * who, 0.0});
+      if (scan % 7 != 0) metrics->addUpdate(time - 4.0, scan < 150 ? 5 : 6, {10e3, 100.0});
+      metrics->addUpdate(time, 8, {20e3, 100.0});
+    }
+    settled.settle(time - 10.0);
+  }
+  EXPECT_FALSE(settled.empty());
+  EXPECT_EQ(all.report(), settled.report());
+}
+
 TEST(Identity, ReadsPlotsFromAFileByTheNamesOfItsColumns) {
   IdentityMetrics metrics(small());
   std::istringstream file(

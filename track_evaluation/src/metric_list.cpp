@@ -9,10 +9,6 @@ namespace track_evaluation {
 
 double ratio(double sum, double count) { return count > 0.0 ? sum / count : std::numeric_limits<double>::quiet_NaN(); }
 
-double mean(const std::vector<double>& values) {
-  return ratio(std::accumulate(values.begin(), values.end(), 0.0), static_cast<double>(values.size()));
-}
-
 double rootMeanSquare(const std::vector<double>& values) {
   return std::sqrt(
       ratio(std::inner_product(values.begin(), values.end(), values.begin(), 0.0), static_cast<double>(values.size())));

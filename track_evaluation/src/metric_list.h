@@ -12,7 +12,6 @@ using MetricList = std::vector<std::pair<std::string, double>>;
 
 /// Sum over count; NaN without any.
 double ratio(double sum, double count);
-double mean(const std::vector<double>& values);
 double rootMeanSquare(const std::vector<double>& values);
 /// Percentile in [0, 100], linear between the two nearest values; NaN without any.
 double percentile(std::vector<double> values, double percent);

@@ -2,9 +2,9 @@
 
 #include <map>
 #include <string>
-#include <vector>
 
 #include "metric_list.h"
+#include "sample.h"
 
 namespace track_evaluation {
 
@@ -25,7 +25,7 @@ class Timing {
   bool started_ = false;
   double plots_ = 0.0, tracks_ = 0.0;
   std::map<std::string, double> newest_plots_;  // when each radar's latest sector was published
-  std::vector<double> plots_latency_, tracks_latency_, tracks_processing_;
+  Sample plots_latency_, tracks_latency_, tracks_processing_;
 };
 
 }  // namespace track_evaluation
