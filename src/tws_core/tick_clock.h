@@ -24,7 +24,7 @@ constexpr int moduloSum(int a, int b) { return (a + b) & (kClockModulus - 1); }
 /// beyond ±1e9 s.
 int countFromSeconds(double seconds);
 
-/// Turns counts into time that does not wrap: seconds since the counter stood at zero before the first count heard.
+/// Turns counts into time that does not wrap: seconds since the counter stood at zero before the first count.
 /// Steps of either sign are taken the shorter way, so two counts in turn may lie up to 131 s apart.
 class TickClock {
  public:

@@ -17,9 +17,9 @@ namespace tws {
 /// arrive.
 ///
 /// Within a stream, times do not go back. An item is released once every other stream has passed its time, or once some
-/// stream has been heard more than `limit` past it: a silent stream, also one never heard, holds the rest up no longer
+/// stream has come more than `limit` past it: a silent stream, also one that never came, holds the rest up no longer
 /// than that. The sequence is the same in every run as long as streams arrive less than `limit` out of step; what comes
-/// too late for that is counted and refused, so that late() == 0 says the sequence can be trusted. One mad stamp in the
+/// too late for that is counted and refused, so that late() == 0 says the sequence can be trusted. One outlier in the
 /// future would make all that follows late: the caller checks stamps first.
 template <class T>
 class TimeOrder {
@@ -32,7 +32,7 @@ class TimeOrder {
 
   /// limit in data time [s]. Throws std::invalid_argument when there is no stream or the limit is negative or NaN.
   explicit TimeOrder(std::size_t streams, double limit = 1.0)
-      : queues_(streams), heard_(streams, kNever), limit_(limit) {
+      : queues_(streams), latest_(streams, kNever), limit_(limit) {
     if (streams == 0) throw std::invalid_argument("TimeOrder: there must be at least one stream");
     if (!(limit >= 0.0)) throw std::invalid_argument("TimeOrder: the limit must be a time of at least 0 s");
   }
@@ -42,8 +42,8 @@ class TimeOrder {
   /// stream or a time that is not finite.
   std::optional<T> push(std::size_t stream, double time, T value) {
     checkInput(stream, time);
-    const bool late = time < heard_[stream] || std::make_pair(time, stream) < released_;
-    hear(stream, time);
+    const bool late = time < latest_[stream] || std::make_pair(time, stream) < released_;
+    note(stream, time);
     if (late) {
       ++late_;
       return std::optional<T>(std::move(value));
@@ -54,10 +54,10 @@ class TimeOrder {
   }
 
   /// The stream has come to this time without an item; its next one may still have this very time. An earlier time than
-  /// already heard says nothing. Throws as push().
+  /// already noted changes nothing. Throws as push().
   void advance(std::size_t stream, double time) {
     checkInput(stream, time);
-    hear(stream, time);
+    note(stream, time);
   }
 
   /// The next item that may be released; nothing: wait for more input.
@@ -72,7 +72,7 @@ class TimeOrder {
     return item;
   }
 
-  /// Releases all that was heard so far: pop() then gives every queued item, in order.
+  /// Releases all that came so far: pop() then gives every queued item, in order.
   void flush() { flushed_ = newest_; }
 
   /// A new run: forgets all, also the queued items and the count of late ones.
@@ -83,7 +83,7 @@ class TimeOrder {
   /// Items queued.
   std::size_t size() const { return size_; }
   std::size_t streams() const { return queues_.size(); }
-  /// Newest time heard on any stream [s]; -infinity when none was.
+  /// Newest time of any stream [s]; -infinity when none was.
   double newest() const { return newest_; }
 
  private:
@@ -95,8 +95,8 @@ class TimeOrder {
       throw std::invalid_argument("TimeOrder: time not finite on stream " + std::to_string(stream));
   }
 
-  void hear(std::size_t stream, double time) {
-    heard_[stream] = std::max(heard_[stream], time);
+  void note(std::size_t stream, double time) {
+    latest_[stream] = std::max(latest_[stream], time);
     newest_ = std::max(newest_, time);
   }
 
@@ -115,14 +115,14 @@ class TimeOrder {
   bool releasable(const Item& item) const {
     if (item.time < newest_ - limit_ || item.time <= flushed_) return true;
     for (std::size_t i = 0; i < queues_.size(); ++i) {
-      const bool passed = heard_[i] > item.time || (heard_[i] == item.time && i >= item.stream);
+      const bool passed = latest_[i] > item.time || (latest_[i] == item.time && i >= item.stream);
       if (!passed) return false;
     }
     return true;
   }
 
   std::vector<std::deque<Item>> queues_;
-  std::vector<double> heard_;
+  std::vector<double> latest_;
   double limit_;
   double newest_ = kNever;
   double flushed_ = kNever;
