@@ -1,6 +1,7 @@
 #pragma once
 
 #include <ros/time.h>
+#include <tws_core/sectors.h>
 #include <tws_runtime/bus.h>
 
 #include <cstddef>
@@ -19,8 +20,7 @@ std::string whereText(const std::string& topic, ros::Time stamp);
 /// Why a message's sector and running number contradict each other; empty: they do not.
 template <class M>
 std::string sectorFault(const M& message) {
-  constexpr unsigned kSectors = 64;
-  if (message.sector == message.running_sector % kSectors) return "";
+  if (message.sector == message.running_sector % tws::kSectors) return "";
   return "sector " + std::to_string(message.sector) + " with running number " + std::to_string(message.running_sector);
 }
 
