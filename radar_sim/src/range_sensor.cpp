@@ -44,39 +44,35 @@ std::unique_ptr<Sensor> RangeSpec::make(const Scene& scene) const {
 }
 
 RangeSensor::RangeSensor(const RangeSpec& spec, const Scene& scene)
-    : Sensor(spec),
-      map_to_site_(mapToAntenna(scene.scenario, spec.name, spec.params.site, spec.params.antenna_height)),
-      radar_(spec.params, map_to_site_, scene.targets, faultsOf(scene.scenario, spec.name), scene.scenario.seed,
-             scene.scenario.start_time),
-      loop_(ros::Duration(spec.params.latency)) {}
+    : MastSensor(spec, scene), loop_(ros::Duration(spec.params.latency)) {}
 
 void RangeSensor::connect(SensorPort& port) {
   bus_ = &port.bus();
   profiles_ = port.advertise<tws_msgs::RangeProfile>("range_profile");
   gate_topic_ = port.subscribe<tws_msgs::RangeGate>("range_gate", [this](const auto& gate) { onGate(gate); });
-  port.publishFrame(map_to_site_);
+  port.publishFrame(mapToSite());
 }
 
-bool RangeSensor::isReady() const { return loop_.isReady(tws_runtime::toTime(radar_.nextProfile())); }
+bool RangeSensor::isReady() const { return loop_.isReady(tws_runtime::toTime(radar().nextProfile())); }
 
 void RangeSensor::stopWaiting() {
   if (isReady()) return;
   bus_->counter("commands late")
-      .add("at " + std::to_string(radar_.nextProfile()) + " s " + name() + " did not get a range gate on " +
+      .add("at " + std::to_string(radar().nextProfile()) + " s " + name() + " did not get a range gate on " +
            gate_topic_ + " in time and leaves its gate where it is until one comes: is its tracker up?");
   loop_.stopWaiting();
 }
 
 void RangeSensor::step() {
   applyCommands();
-  const tws_msgs::RangeProfile message = toRangeProfile(radar_.takeProfile(), radar_.params());
+  const tws_msgs::RangeProfile message = toRangeProfile(radar().takeProfile(), radar().params());
   loop_.sent(message.header.stamp);
   profiles_.publish(message);
 }
 
 void RangeSensor::applyCommands() {
-  for (const tws_msgs::RangeGate& gate : loop_.takeDue(tws_runtime::toTime(radar_.nextProfile()))) {
-    if (radar_.setGate({gate.range_min, gate.range_max})) continue;
+  for (const tws_msgs::RangeGate& gate : loop_.takeDue(tws_runtime::toTime(radar().nextProfile()))) {
+    if (radar().setGate({gate.range_min, gate.range_max})) continue;
     bus_->counter("refused range gates")
         .add("from " + std::to_string(gate.range_min) + " m to " + std::to_string(gate.range_max) + " m in " +
              gate_topic_ + " at " + std::to_string(gate.header.stamp.toSec()));

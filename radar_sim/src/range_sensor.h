@@ -1,6 +1,5 @@
 #pragma once
 
-#include <Eigen/Geometry>
 #include <string>
 
 #include <tws_msgs/RangeGate.h>
@@ -8,9 +7,9 @@
 #include <tws_runtime/bus.h>
 #include <tws_runtime/lock_step.h>
 
+#include "mast_sensor.h"
 #include "range_radar.h"
 #include "reading.h"
-#include "sensor.h"
 
 namespace radar_sim {
 
@@ -28,15 +27,14 @@ std::unique_ptr<SensorSpec> readRangeSensor(ParameterReader& reader, const Scena
 
 /// A range radar and its topics: its profiles go out, the commands that move its gate come in. What is wrong or late of
 /// the latter is counted.
-class RangeSensor : public Sensor {
+class RangeSensor : public MastSensor<RangeRadar> {
  public:
   RangeSensor(const RangeSpec& spec, const Scene& scene);
 
   void connect(SensorPort& port) override;
-  double nextTime() const override { return radar_.nextProfile(); }
+  double nextTime() const override { return radar().nextProfile(); }
   void step() override;
-  void skip() override { radar_.takeProfile(); }
-  bool isSilentAt(double time) const override { return radar_.isSilentAt(time); }
+  void skip() override { radar().takeProfile(); }
   bool isReady() const override;
   void stopWaiting() override;
 
@@ -44,8 +42,6 @@ class RangeSensor : public Sensor {
   void applyCommands();
   void onGate(const tws_msgs::RangeGate& gate);
 
-  Eigen::Isometry3d map_to_site_;
-  RangeRadar radar_;
   tws_runtime::LockStep<tws_msgs::RangeGate> loop_;
   tws_runtime::Bus* bus_ = nullptr;
   std::string gate_topic_;

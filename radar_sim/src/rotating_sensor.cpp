@@ -19,27 +19,22 @@ std::unique_ptr<Sensor> RotatingSpec::make(const Scene& scene) const {
 }
 
 RotatingSensor::RotatingSensor(const RotatingSpec& spec, const Scene& scene)
-    : Sensor(spec),
-      targets_(scene.targets),
-      map_to_site_(mapToAntenna(scene.scenario, spec.name, spec.params.site, spec.params.antenna_height)),
-      radar_(spec.params, map_to_site_, scene.targets, faultsOf(scene.scenario, spec.name), scene.scenario.seed,
-             scene.scenario.start_time),
-      marks_(*this, scene) {}
+    : MastSensor(spec, scene), targets_(scene.targets), marks_(*this, scene) {}
 
 void RotatingSensor::connect(SensorPort& port) {
   detections_ = port.advertise<tws_msgs::Detections>("detections");
   marks_.connect(port);
-  port.publishFrame(map_to_site_);
-  if (params().elevation_search) elevation_.emplace(port, radar_);
+  port.publishFrame(mapToSite());
+  if (params().elevation_search) elevation_.emplace(port, radar());
 }
 
 void RotatingSensor::step() {
   if (elevation_) elevation_->applyCommands();
-  const tws::RadarSector sector = radar_.closeSector();
+  const tws::RadarSector sector = radar().closeSector();
   detections_.publish(tws_runtime::toDetections(sector, name(), name()));
   if (on_sector_) on_sector_(sector);
   if (elevation_) elevation_->onMark(sector);
-  marks_.publish({sector.running, sector.leave_time, sector.plots.size(), radar_.rotationPeriod(sector.running + 1)});
+  marks_.publish({sector.running, sector.leave_time, sector.plots.size(), radar().rotationPeriod(sector.running + 1)});
 }
 
 void RotatingSensor::stopWaiting() {
@@ -47,13 +42,13 @@ void RotatingSensor::stopWaiting() {
 }
 
 std::optional<double> RotatingSensor::beamAt(double time) const {
-  if (radar_.isSilentAt(time)) return std::nullopt;
-  return radar_.antenna().azimuthAt(time);
+  if (radar().isSilentAt(time)) return std::nullopt;
+  return radar().antenna().azimuthAt(time);
 }
 
 Sighting RotatingSensor::sightingOf(std::size_t target, double time) const {
-  const tws::Polar polar = radar_.polarOf(targets_[target], time);
-  return {polar.range, polar.azimuth, radar_.detectionProbability(target, time)};
+  const tws::Polar polar = radar().polarOf(targets_[target], time);
+  return {polar.range, polar.azimuth, radar().detectionProbability(target, time)};
 }
 
 }  // namespace radar_sim

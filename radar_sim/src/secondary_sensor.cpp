@@ -82,23 +82,19 @@ std::unique_ptr<Sensor> SecondarySpec::make(const Scene& scene) const {
 }
 
 SecondarySensor::SecondarySensor(const SecondarySpec& spec, const Scene& scene)
-    : Sensor(spec),
-      map_to_site_(mapToAntenna(scene.scenario, spec.name, spec.params.site, spec.params.antenna_height)),
-      radar_(spec.params, map_to_site_, scene.targets, faultsOf(scene.scenario, spec.name), scene.scenario.seed,
-             scene.scenario.start_time),
-      marks_(*this, scene) {}
+    : MastSensor(spec, scene), marks_(*this, scene) {}
 
 void SecondarySensor::connect(SensorPort& port) {
   plots_ = port.advertise<tws_msgs::SsrPlots>("plots");
   marks_.connect(port);
-  port.publishFrame(map_to_site_);
+  port.publishFrame(mapToSite());
 }
 
 void SecondarySensor::step() {
-  const SecondarySector sector = radar_.closeSector();
+  const SecondarySector sector = radar().closeSector();
   const SectorSpan& span = sector.span;
   plots_.publish(toSsrPlots(sector, name()));
-  marks_.publish({span.running, span.leave_time, sector.plots.size(), radar_.rotationPeriod(span.running + 1)});
+  marks_.publish({span.running, span.leave_time, sector.plots.size(), radar().rotationPeriod(span.running + 1)});
 }
 
 }  // namespace radar_sim

@@ -1,15 +1,14 @@
 #pragma once
 
-#include <Eigen/Geometry>
 #include <string>
 
 #include <tws_msgs/SsrPlots.h>
 #include <tws_runtime/bus.h>
 
+#include "mast_sensor.h"
 #include "reading.h"
 #include "secondary_radar.h"
 #include "sector_marks.h"
-#include "sensor.h"
 
 namespace radar_sim {
 
@@ -30,19 +29,16 @@ std::unique_ptr<SensorSpec> readSecondarySensor(ParameterReader& reader, const S
 tws_msgs::SsrPlots toSsrPlots(const SecondarySector& sector, const std::string& radar);
 
 /// A secondary radar and its topics: the plots of each sector, then the mark that closes it.
-class SecondarySensor : public Sensor {
+class SecondarySensor : public MastSensor<SecondaryRadar> {
  public:
   SecondarySensor(const SecondarySpec& spec, const Scene& scene);
 
   void connect(SensorPort& port) override;
-  double nextTime() const override { return radar_.nextMark(); }
+  double nextTime() const override { return radar().nextMark(); }
   void step() override;
-  void skip() override { radar_.closeSector(); }
-  bool isSilentAt(double time) const override { return radar_.isSilentAt(time); }
+  void skip() override { radar().closeSector(); }
 
  private:
-  Eigen::Isometry3d map_to_site_;
-  SecondaryRadar radar_;
   SectorMarks marks_;
   tws_runtime::Publisher<tws_msgs::SsrPlots> plots_;
 };
