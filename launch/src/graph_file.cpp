@@ -1,11 +1,12 @@
 #include "graph_file.h"
 
-#include <ros/package.h>
 #include <tws_runtime/parameters.h>
 
 #include <algorithm>
 #include <set>
 #include <stdexcept>
+
+#include "package_folder.h"
 
 namespace tws_launch {
 namespace {
@@ -94,12 +95,6 @@ GraphFile readGraphFileWith(const std::string& more) {
   graph.sensors.insert(graph.sensors.end(), added.sensors.begin(), added.sensors.end());
   graph.nodes.insert(graph.nodes.end(), added.nodes.begin(), added.nodes.end());
   return graph;
-}
-
-std::string packageFolder(const std::string& package) {
-  std::string folder = ros::package::getPath(package);
-  if (folder.empty()) throw std::runtime_error("package " + package + " is not found: source setup.bash");
-  return folder;
 }
 
 }  // namespace tws_launch

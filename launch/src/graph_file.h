@@ -49,7 +49,4 @@ GraphFile readGraphFile(const std::string& path = "");
 /// none. Throws tws_runtime::ParameterError.
 GraphFile readGraphFileWith(const std::string& more);
 
-/// The folder of a ROS package. Throws std::runtime_error when it is not found.
-std::string packageFolder(const std::string& package);
-
 }  // namespace tws_launch

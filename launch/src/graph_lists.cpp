@@ -81,10 +81,20 @@ std::vector<std::string> GraphLists::recorded() const {
 std::vector<std::string> GraphLists::requests() const {
   std::vector<std::string> topics;
   for (const NodeDescription& node : graph_.nodes)
-    if (repeatsRequests(node))
-      topics.push_back(requestTopic(input_, graph_.space, node.name)
-                           .value_or(resolvedName(graph_.space, node.name + "/operator_requests")));
+    if (repeatsRequests(node)) topics.push_back(requestsTo(node));
   return topics;
+}
+
+std::map<std::string, std::string> GraphLists::requestRemaps() const {
+  std::map<std::string, std::string> remaps;
+  for (const NodeDescription& node : graph_.nodes)
+    if (repeatsRequests(node)) remaps[requestsTo(node)] = resolvedName(graph_.space, node.name + "/recorded_requests");
+  return remaps;
+}
+
+std::string GraphLists::requestsTo(const NodeDescription& node) const {
+  return requestTopic(input_, graph_.space, node.name)
+      .value_or(resolvedName(graph_.space, node.name + "/operator_requests"));
 }
 
 std::string GraphLists::whereItIs(const std::string& topic) const {

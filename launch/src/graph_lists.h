@@ -2,6 +2,7 @@
 
 #include <yaml-cpp/yaml.h>
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -29,9 +30,12 @@ class GraphLists {
   std::vector<std::string> recorded() const;
   /// What operators asked of the trackers, as the bag has it.
   std::vector<std::string> requests() const;
+  /// From each of these to where its tracker takes them in a replay.
+  std::map<std::string, std::string> requestRemaps() const;
 
  private:
   bool isSaidHere(const std::string& topic) const;
+  std::string requestsTo(const NodeDescription& node) const;
   std::string whereItIs(const std::string& topic) const;
 
   const GraphDescription& graph_;

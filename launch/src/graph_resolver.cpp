@@ -1,23 +1,20 @@
 #include "graph_resolver.h"
 
-#include <tws_runtime/parameters.h>
-
 #include <algorithm>
-#include <filesystem>
 #include <map>
 #include <set>
 #include <stdexcept>
 
+#include "choice_checks.h"
 #include "condition.h"
 #include "graph_lists.h"
-#include "in_words.h"
+#include "node_parameters.h"
+#include "package_folder.h"
 #include "template.h"
 #include "topic_name.h"
 
 namespace tws_launch {
 namespace {
-
-using tws_runtime::mergeParameters;
 
 YAML::Node listOf(const std::vector<std::string>& words) {
   YAML::Node list(YAML::NodeType::Sequence);
@@ -37,15 +34,15 @@ class Resolver {
   }
 
   GraphDescription graph() {
-    refuseUnknownChoices();
+    refuseUnknownChoices(file_, chosen_);
     for (const NodeRow& row : file_.nodes) {
       addIfItBelongs(row, row.name);
       for (const auto& [name, choice] : chosen_)
         if (choice.like == row.name) addIfItBelongs(row, name);
     }
-    refuseIdleChoices();
-    refuseUnknownRadars();
-    refuseTwoOnOneTopic();
+    refuseIdleChoices(file_, graph_, chosen_);
+    refuseUnknownRadars(file_, input_, graph_, chosen_);
+    refuseTwoOnOneTopic(graph_);
     for (NodeDescription& node : graph_.nodes) setListsOfTopics(node);
     for (std::size_t i = 0; i < graph_.nodes.size(); ++i) setWhatFollowsFromOthers(i);
     describeItself();
@@ -54,58 +51,6 @@ class Resolver {
 
  private:
   // ---- which nodes ----
-
-  void refuseUnknownChoices() const {
-    for (const auto& [name, choice] : chosen_) {
-      const std::string& row = choice.like.empty() ? name : choice.like;
-      if (!file_.find(row))
-        throw std::runtime_error("trackers: there is no node '" + row + "' (nodes: " + joined(namesOfTrackers()) + ")");
-    }
-  }
-
-  std::vector<std::string> namesOfTrackers() const {
-    std::vector<std::string> names;
-    for (const NodeRow& row : file_.nodes)
-      if (row.role == "tracker") names.push_back(row.name);
-    return names;
-  }
-
-  void refuseIdleChoices() const {
-    for (const auto& [name, choice] : chosen_)
-      if (choice.on.value_or(true) && !graph_.find(name))
-        throw std::runtime_error("trackers: " + name +
-                                 " is no part of the graph of this input: it is one where there is '" +
-                                 file_.find(choice.like.empty() ? name : choice.like)->when + "'");
-  }
-
-  /// A tracker of a radar that the input has not would wait for it in silence.
-  void refuseUnknownRadars() const {
-    for (const NodeDescription& node : graph_.nodes) {
-      const auto choice = chosen_.find(node.name);
-      if (choice == chosen_.end() || !choice->second.parameters.IsMap()) continue;
-      const YAML::Node radar = choice->second.parameters["radar"];
-      if (!radar || !radar.IsScalar()) continue;
-      const auto has = [&](const SensorKind& kind) {
-        const std::vector<std::string> names = input_.names(kind.name);
-        return std::count(names.begin(), names.end(), radar.Scalar()) > 0;
-      };
-      if (std::none_of(file_.sensors.begin(), file_.sensors.end(), has))
-        throw std::runtime_error("trackers: " + node.name + "/radar: there is no radar '" + radar.Scalar() + "'");
-    }
-  }
-
-  /// Of two nodes on one topic of tracks neither can be told from the other.
-  void refuseTwoOnOneTopic() const {
-    std::map<std::string, std::string> speakers;
-    for (const NodeDescription& node : graph_.nodes)
-      for (const auto& [topic, type] : node.says) {
-        if (node.role != "tracker" || type == "tws_msgs/ElevationRequests") continue;
-        const auto [other, is_new] = speakers.emplace(topic, node.name);
-        if (!is_new)
-          throw std::runtime_error("trackers: " + other->second + " and " + node.name + " both publish " + topic +
-                                   "; one more of this node cannot run beside it");
-      }
-  }
 
   void addIfItBelongs(const NodeRow& row, const std::string& name) {
     if (!holds(row.when, [&](const std::string& word) { return is(word, name); })) return;
@@ -147,11 +92,9 @@ class Resolver {
     node.role = row.role;
     node.quiet = row["quiet"].as<bool>(false);
     node.prefix = row["prefix"].as<std::string>("");
-    node.parameters = parametersOf(row, name);
+    node.parameters = nodeParameters(row, name, {input_, options_, chosen_}, wordsFor(nameOnly(name)));
     const TemplateWords words = wordsFor(node);
     if (row["respawn"]) node.respawn = filledIn(row["respawn"], words).as<std::string>("") == "true";
-    for (const auto& remap : filledIn(row["remaps"] ? row["remaps"] : YAML::Node(YAML::NodeType::Map), words))
-      node.remaps[resolve(remap.first.Scalar())] = resolve(remap.second.Scalar());
     for (const auto& topic : filledIn(row["says"] ? row["says"] : YAML::Node(YAML::NodeType::Map), words))
       node.says[resolve(topic.first.Scalar())] = topic.second.Scalar();
     if (row.role == "source")
@@ -166,59 +109,6 @@ class Resolver {
       for (const std::string& sensor : input_.names(kind.name))
         for (const auto& [part, type] : kind.topics) topics[resolve(sensor + "/" + part)] = type;
     return topics;
-  }
-
-  /// Of several layers: what stands beneath the files, the files, what follows from the sensors; in their place what
-  /// was recorded, as far as the sensors are those of then; above all what this run is, and what was chosen.
-  YAML::Node parametersOf(const NodeRow& row, const std::string& name) const {
-    NodeDescription self;
-    self.name = name;
-    const TemplateWords words = wordsFor(self);
-    const auto choice = chosen_.find(name);
-    const std::string set = choice == chosen_.end() ? "" : choice->second.set;
-    const NodeDescription* then = row.role == "tracker" && input_.recorded ? input_.recorded->find(name) : nullptr;
-    const bool anew = !then || !set.empty();
-    YAML::Node tree(YAML::NodeType::Map);
-    if (anew) tree = mergeParameters(joinedParameters(row["beneath"], words), filesOf(row, set, words));
-    if (!anew) tree = YAML::Clone(then->parameters);
-    if (anew || input_.recorded->sensors != input_.sensors)
-      tree = mergeParameters(tree, joinedParameters(row["parameters"], words));
-    tree = mergeParameters(tree, joinedParameters(row["run"], words));
-    if (choice != chosen_.end() && choice->second.parameters.IsMap())
-      tree = mergeParameters(tree, choice->second.parameters);
-    if (tree["clutter_map"]) checkClutterMap(tree);
-    return tree;
-  }
-
-  /// A set takes the place of the first file.
-  static YAML::Node filesOf(const NodeRow& row, const std::string& set, const TemplateWords& words) {
-    YAML::Node tree(YAML::NodeType::Map);
-    std::vector<std::string> files;
-    if (row["files"])
-      for (const YAML::Node& file : filledIn(row["files"], words)) files.push_back(file.Scalar());
-    if (!set.empty()) {
-      if (files.empty()) files.emplace_back();
-      files.front() = isPath(set) ? set : row.package() + "/config/" + set + ".yaml";
-    }
-    for (const std::string& file : files) tree = mergeParameters(tree, tws_runtime::loadParameterFile(pathOf(file)));
-    return tree;
-  }
-
-  /// An absolute path, or PACKAGE/REST.
-  static std::string pathOf(const std::string& file) {
-    if (file[0] == '/') return file;
-    const auto slash = file.find('/');
-    return packageFolder(file.substr(0, slash)) + file.substr(slash);
-  }
-
-  void checkClutterMap(YAML::Node& tree) const {
-    const std::string map = tree["clutter_map"].as<std::string>();
-    if (map == "none") {
-      tree.remove("clutter_map");
-    } else if (!map.empty() && !std::filesystem::exists(map)) {
-      throw std::runtime_error(input_.path + ": the run knew the clutter of " + map +
-                               " from its start, which is not there: say --clutter-map FILE or --clutter-map none");
-    }
   }
 
   // ---- words ----
@@ -242,6 +132,12 @@ class Resolver {
       return valueFromGraph(word, rest);
     };
     return words;
+  }
+
+  static NodeDescription nameOnly(const std::string& name) {
+    NodeDescription node;
+    node.name = name;
+    return node;
   }
 
   static YAML::Node firstOf(const std::vector<std::string>& names) {
@@ -275,6 +171,7 @@ class Resolver {
     if (word == "recorded") return listOf(lists.recorded());
     if (word.rfind("topics.", 0) == 0) return listOf(lists.topicsOfType(rest));
     if (word == "requests") return listOf(lists.requests());
+    if (word == "request_remaps") return YAML::Node(lists.requestRemaps());
     if (word == "drawn.radars") return drawnRadars();
     if (word == "drawn.topics") return drawnTopics();
     if (word == "drawn.trackers") return drawn("tws_msgs/Tracks");
@@ -302,7 +199,10 @@ class Resolver {
     const TemplateWords words = wordsFor(node);
     node.parameters = filledIn(node.parameters, words);
     if (row["args"]) node.arguments = filledInArguments(row["args"].as<std::string>(), words);
-    if (node.program() == "rviz/rviz" && node.arguments.size() > 1) node.arguments[1] = pathOf(node.arguments[1]);
+    if (node.program() == "rviz/rviz" && node.arguments.size() > 1) node.arguments[1] = filePath(node.arguments[1]);
+    if (row["remaps"])
+      for (const auto& remap : filledIn(row["remaps"], words))
+        node.remaps[resolve(remap.first.Scalar())] = resolve(remap.second.Scalar());
   }
 
   void describeItself() {

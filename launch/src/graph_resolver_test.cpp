@@ -1,10 +1,12 @@
 #include "graph_resolver.h"
 
 #include <gtest/gtest.h>
+#include <tws_msgs/OperatorRequest.h>
 #include <tws_msgs/RangeProfile.h>
 #include <tws_msgs/Tracks.h>
 
 #include <filesystem>
+#include <fstream>
 
 #include "input_test_helpers.h"
 #include "run_plan.h"
@@ -88,6 +90,21 @@ TEST(GraphResolver, RefusesChoicesOfNodesThatAreNotThere) {
   };
   EXPECT_NE(refusal("{adlt: on}").find("there is no node 'adlt' (nodes: adit"), std::string::npos);
   EXPECT_NE(refusal("{range_gate_tracker: ship}").find("range_gate_tracker is no part"), std::string::npos);
+}
+
+// A slip of the pen is answered with what could have been meant.
+TEST(GraphResolver, RefusesAParameterSetThatIsNotThere) {
+  const std::string one = kScenarios + "one_aircraft.yaml";
+  EXPECT_EQ(reasonOf([&] {
+              graphOf(one, options({{"params", "nosuch"}}));
+            }),
+            "adit: there is no parameter set 'nosuch' (adit_tracker/config: default nrl7952)");
+  EXPECT_THROW(graphOf(one, options({{"params", "nosuch"}})), UsageError);
+  const TemporaryFolder folder;
+  std::ofstream(folder.file("mine.yaml")) << std::ifstream(one).rdbuf() << "\ntrackers: {adit: nosuch}\n";
+  EXPECT_EQ(
+      reasonOf([&] { graphOf(folder.file("mine.yaml")); }).find(folder.file("mine.yaml") + ": trackers: adit: there"),
+      0U);
 }
 
 // ---- bags ----
@@ -177,6 +194,21 @@ TEST(GraphResolver, MovesTheGraphIntoTheNamespaceOfItsBag) {
   const std::vector<std::string>& recorded = graph.find("recorder")->arguments;
   EXPECT_EQ(std::count(recorded.begin(), recorded.end(), "/ship1/adit/tracks"), 1);
   EXPECT_EQ(graph.find("player")->remaps.at("/ship1/clock"), "/clock");  // Else nobody there knows what time it is.
+}
+
+// If this fails, a second tracker is replayed live without what its operators asked.
+TEST(GraphResolver, HandsRecordedRequestsToEveryTrackerThatRepeatsThem) {
+  const TemporaryFolder folder;
+  BagUnderTest(folder.file("run.bag"))
+      .withRadar("/ship1/", "sps12")
+      .with("/ship1/tws/operator_requests", tws_msgs::OperatorRequest())  // as it was called before
+      .close();
+  const RunOptions chosen = options({{"trackers", "{second: {like: adit}, window_tracker: on}"}});
+  EXPECT_EQ(graphOf(folder.file("run.bag"), chosen, true).find("operator_player")->remaps,
+            (std::map<std::string, std::string>{
+                {"/ship1/adit/operator_requests", "/ship1/adit/recorded_requests"},
+                {"/ship1/second/operator_requests", "/ship1/second/recorded_requests"},
+                {"/ship1/tws/operator_requests", "/ship1/window_tracker/recorded_requests"}}));
 }
 
 }  // namespace

@@ -14,6 +14,7 @@
 #include "graph_resolver.h"
 #include "in_words.h"
 #include "launch_xml.h"
+#include "package_folder.h"
 #include "run_input.h"
 
 namespace tws_launch {
