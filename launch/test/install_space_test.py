@@ -75,6 +75,15 @@ class InstallSpaceTest(unittest.TestCase):
         self.assertLessEqual(max(len(lives), len(others)) - length, 10)
         self.assertEqual(lives[:length], others[:length])
 
+    def test_a_scenario_of_ones_own_has_every_system_that_it_describes(self):
+        scenario, bag = STAGE / "mine.yaml", SPACE / "mine.bag"
+        shutil.copy(SPACE / "share/tws_launch/scenarios/full.yaml", scenario)
+        installed(f"roslaunch -p {PORT} tws_launch run.launch scenario:={scenario} duration:=30 rate:=5 rviz:=false record:={bag}")
+        heard = rosbag.Bag(str(bag)).get_type_and_topic_info().topics
+        for topic in ("/adit/tracks", "/ssr/tracks", "/correlated/tracks", "/esa/tracks", "/mrs/tracks"):
+            self.assertIn(topic, heard)
+            self.assertGreater(heard[topic].message_count, 10, topic)
+
 
 if __name__ == "__main__":
     unittest.main(argv=sys.argv[:1])

@@ -14,7 +14,7 @@ import rosunit
 from nodelet.srv import NodeletList, NodeletLoad, NodeletUnload
 from tws_msgs.msg import Tracks
 
-TRACKERS = ["/inside/adit", "/outside/adit", "/outside/second"]
+TRACKERS = ["/inside/adit", "/outside/adit", "/outside/second", "/remapped/adit", "/remapped/told"]
 SCENARIO = pathlib.Path(__file__).parents[1] / "scenarios" / "one_aircraft.yaml"
 # What a class cannot be loaded without.
 NEEDED = {
@@ -72,8 +72,8 @@ class OwnGraphTest(unittest.TestCase):
         subscribers = [rospy.Subscriber(f"{tracker}/tracks", Tracks, lambda message, received=tracks: received.append(message))
                        for tracker, tracks in cls.tracks.items()]
         wait_for(lambda: all(subscriber.get_num_connections() > 0 for subscriber in subscribers))
-        for space in ("inside", "outside"):  # The simulators wait for these.
-            rospy.Subscriber(f"/{space}/sps12/detections", rospy.AnyMsg, lambda message: None)
+        for radar in ("inside/sps12", "outside/sps12", "remapped/myradar"):  # The simulators wait for these.
+            rospy.Subscriber(f"/{radar}/detections", rospy.AnyMsg, lambda message: None)
         cls.expected = offline()
         wait_for(lambda: all(len(tracks) >= len(cls.expected) - 10 for tracks in cls.tracks.values()))
 
@@ -93,6 +93,14 @@ class OwnGraphTest(unittest.TestCase):
         states = [track.state for message in self.tracks["/outside/second"] for track in message.tracks]
         self.assertIn(2, states, "no firm track")
         self.assertEqual({message.tracker for message in self.tracks["/outside/second"]}, {"outside/second"})
+
+    def test_a_radar_under_remapped_topics_is_tracked_by_who_is_told_by_remaps(self):
+        self.check_same_as_offline("/remapped/adit")
+
+    def test_a_radar_under_remapped_topics_is_tracked_by_who_is_told_by_a_parameter(self):
+        firm = [track for message in self.tracks["/remapped/told"] for track in message.tracks if track.state == 2]
+        self.assertGreater(len(firm), 20)
+        self.assertEqual({radar for track in firm for radar in track.radars}, {"myradar", "sps39"})
 
     def test_a_wrong_parameter_keeps_only_its_own_nodelet_from_loading(self):
         nodelets = rospy.ServiceProxy("/inside/manager/list", NodeletList)().nodelets
