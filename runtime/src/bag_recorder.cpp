@@ -1,5 +1,7 @@
 #include "bag_recorder.h"
 
+#include <tws_core/output_file.h>
+
 #include <algorithm>
 #include <stdexcept>
 
@@ -7,34 +9,64 @@
 
 namespace tws_runtime {
 
+namespace {
+
+constexpr std::uint64_t kReserve = 16U << 20U;  // [bytes] for the index: that of ten gigabytes has about four million
+constexpr std::uint64_t kBetweenChecks = 1U << 20U;  // [bytes]
+
+}  // namespace
+
 BagRecorder::BagRecorder(const std::string& path, const std::vector<std::string>& topics)
     : path_(path), topics_(topics.begin(), topics.end()) {
+  tws::checkOutputPath(path);
   try {
-    bag_.open(path, rosbag::bagmode::Write);
+    bag_->open(path, rosbag::bagmode::Write);
   } catch (const rosbag::BagException& error) {
     fail(error);
+  }
+  checkSpace();
+}
+
+BagRecorder::~BagRecorder() {
+  try {
+    close();
+  } catch (const std::runtime_error&) {  // Who lets a recorder go without closing it has another reason to complain.
   }
 }
 
 void BagRecorder::write(const std::string& topic, ros::Time time, const MessageType& type,
                         const boost::shared_ptr<const void>& message, const boost::shared_ptr<ros::M_string>& header) {
-  if (!topics_.empty() && topics_.count(topic) == 0) return;
+  if (!bag_ || (!topics_.empty() && topics_.count(topic) == 0)) return;
   try {
-    bag_.write(topic, std::max(time, ros::TIME_MIN), AnyMessage{&type, message}, header);
+    bag_->write(topic, std::max(time, ros::TIME_MIN), AnyMessage{&type, message}, header);
   } catch (const rosbag::BagException& error) {
     fail(error);
   }
+  if (bag_->getSize() >= checked_at_ + kBetweenChecks) checkSpace();
 }
 
 void BagRecorder::close() {
+  if (!bag_) return;
   try {
-    bag_.close();
+    bag_->close();
   } catch (const rosbag::BagException& error) {
     fail(error);
   }
+  bag_.reset();
 }
 
-void BagRecorder::fail(const std::exception& error) const {
+void BagRecorder::checkSpace() {
+  checked_at_ = bag_->getSize();
+  const std::uint64_t space = tws::spaceFor(path_);
+  if (space >= kReserve + kBetweenChecks) return;
+  close();
+  throw std::runtime_error(path_ + ": the disk is nearly full (" + std::to_string(space >> 20U) +
+                           " MB left): the recording ends here, and what it holds can be read");
+}
+
+/// rosbag's own destructor would write once more, and end the program by what it throws: the bag stays open.
+void BagRecorder::fail(const std::exception& error) {
+  static_cast<void>(bag_.release());
   throw std::runtime_error(path_ + ": cannot be written: " + error.what());
 }
 

@@ -6,6 +6,7 @@
 #include <rosbag/view.h>
 #include <std_msgs/Int32.h>
 #include <std_msgs/String.h>
+#include <tws_core/file_size_limit_test_helpers.h>
 #include <tws_msgs/Truth.h>
 #include <tws_runtime/local_graph.h>
 #include <tws_runtime/run.h>
@@ -15,6 +16,7 @@
 #include <functional>
 #include <iterator>
 #include <map>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -67,6 +69,27 @@ class BagTest : public ::testing::Test {
     runOffline(graph, {&source});
     graph.finishRecording();
     return path(name);
+  }
+
+  /// Publishes so many texts of 100 kB while a bag is recorded; the complaint, or nothing.
+  std::string recordTexts(const std::string& name, int count, const std::function<void(int)>& before = {}) {
+    LocalGraph graph(log);
+    auto texts = graph.addNode("texts").advertise<std_msgs::String>("/texts");
+    std_msgs::String text;
+    text.data.assign(100000, 'x');
+    try {
+      graph.record(path(name));
+      for (int i = 0; i < count; ++i) {
+        if (before) before(i);
+        graph.advanceTo(ros::Time(1 + i));
+        texts.publish(text);
+        graph.drain();
+      }
+      graph.finishRecording();
+    } catch (const std::runtime_error& error) {
+      return error.what();
+    }
+    return "";
   }
 
   /// What a node receives on /numbers when a bag is replayed.
@@ -125,6 +148,29 @@ std::vector<int> upTo(int count) {
   std::vector<int> numbers(static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i) numbers[static_cast<std::size_t>(i)] = i;
   return numbers;
+}
+
+// If this fails, a disk that fills up costs all that was recorded, for a bag without index cannot be read.
+TEST_F(BagTest, WhenTheDiskIsNearlyFullTheRecordingEndsAndCanBeRead) {
+  const tws::FileSizeLimit limit(20U << 20U);
+  const std::string complaint = recordTexts("full.bag", 200);
+  EXPECT_NE(complaint.find("full.bag: the disk is nearly full (16 MB left)"), std::string::npos) << complaint;
+  const rosbag::Bag bag(path("full.bag"));
+  EXPECT_GE(rosbag::View(bag).size(), 20U);
+}
+
+// If this fails, a run on a full disk ends with "terminate called", and all other results are lost with it.
+TEST_F(BagTest, AWriteThatFailsIsAnErrorThatNamesTheFile) {
+  std::optional<tws::FileSizeLimit> limit;
+  const std::string complaint = recordTexts("broken.bag", 20, [&](int i) {
+    if (i == 5) limit.emplace(300000);
+  });
+  EXPECT_NE(complaint.find("broken.bag: cannot be written: "), std::string::npos) << complaint;
+}
+
+TEST_F(BagTest, ABagIsNotBegunWhereNothingFits) {
+  const tws::FileSizeLimit limit(1000000);
+  EXPECT_NE(recordTexts("none.bag", 1), "");
 }
 
 // If this fails, recorded data cannot be compared between two runs.

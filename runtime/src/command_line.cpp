@@ -1,15 +1,31 @@
 #include <tws_runtime/command_line.h>
 
 #include <CLI/CLI.hpp>
+#include <csignal>
 #include <cstdio>
 #include <exception>
+#include <iostream>
 
 namespace tws_runtime {
+namespace {
+
+/// What was said is only now on the disk or in the pipe, or is not.
+bool isSaid() {
+  std::cout.flush();
+  return std::cout.good() && std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
+}
+
+}  // namespace
 
 int guarded(const std::string& program, const std::function<int()>& run) noexcept {
+  std::signal(SIGXFSZ, SIG_IGN);  // A file that grows too large is an error of a write, said as such.
   try {
-    return run();
+    const int status = run();
+    if (status != 0 || isSaid()) return status;
+    std::fprintf(stderr, "%s: what it says cannot be written to the standard output\n", program.c_str());
+    return 1;
   } catch (const std::exception& error) {
+    std::cout.flush();  // The reason is the last that is read.
     std::fprintf(stderr, "%s: %s\n", program.c_str(), error.what());
     return 1;
   }

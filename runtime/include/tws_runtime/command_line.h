@@ -10,8 +10,8 @@ class App;
 
 namespace tws_runtime {
 
-/// Exit status of a program whose body is `run`: what that returns, or 1 after an exception, whose reason has then gone
-/// to the standard error in one line.
+/// Exit status of a program whose body is `run`: what that returns, or 1 after an exception or when the standard output
+/// is full; the reason has then gone to the standard error in one line.
 int guarded(const std::string& program, const std::function<int()>& run) noexcept;
 
 /// The option --duration: seconds of data time, 1 to 1 000 000, as the simulator takes them.
