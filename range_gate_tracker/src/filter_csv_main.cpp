@@ -1,8 +1,6 @@
 #include <tws_runtime/command_line.h>
 
 #include <CLI/CLI.hpp>
-#include <filesystem>
-#include <fstream>
 #include <iomanip>
 #include <iostream>
 #include <map>
@@ -11,6 +9,7 @@
 
 #include <tws_core/axis_filter.h>
 #include <tws_core/csv_table.h>
+#include <tws_core/output_file.h>
 
 namespace {
 
@@ -91,14 +90,10 @@ class Run {
 };
 
 void run(const Options& options) {
-  std::error_code none;
-  if (std::filesystem::equivalent(options.in, options.out, none))
-    throw std::runtime_error(options.out + ": is the file of measurements itself");
   const std::unique_ptr<std::istream> in = tws::openText(options.in);
-  std::ofstream out(options.out);
-  if (!out) throw std::runtime_error(options.out + ": cannot be written");
-  Run(options, *in, out).go();
-  if (!out.flush()) throw std::runtime_error(options.out + ": writing failed");
+  tws::OutputFile out(options.out, {options.in});
+  Run(options, *in, out.stream()).go();
+  out.finish();
 }
 
 }  // namespace

@@ -8,10 +8,10 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <fstream>
 #include <iostream>
 
 #include "bag_contents.h"
+#include "result_file.h"
 
 namespace {
 
@@ -55,13 +55,6 @@ void check(const Options& options, const BagContents& contents, const Evaluation
                            ": holds neither truth nor plots with identities (tws_msgs/SsrPlots) to score by");
 }
 
-/// A file that is written from the start of the run on, when it is asked for.
-void open(std::ofstream& file, const std::string& path) {
-  if (path.empty()) return;
-  file.open(path);
-  if (!file) throw std::runtime_error(path + ": cannot be written");
-}
-
 /// Of the correlators those that are named, too; what else is named must be a tracker.
 void choose(const std::vector<std::string>& names, BagContents& contents) {
   const std::vector<std::string> known = std::move(contents.correlators);
@@ -79,17 +72,16 @@ void run(const Options& options) {
   tws_runtime::LocalGraph graph(std::cerr);
   const std::string name = contents.space.empty() ? "evaluation" : contents.space.substr(1) + "/evaluation";
   EvaluationNode node(graph.addNode(name, parametersFor(options, contents), contents.remaps()));
-  std::ofstream json, series, picture;
-  open(json, options.json);
-  open(series, options.series);
-  open(picture, options.picture);
-  if (series.is_open()) node.writeSeries(series);
-  if (picture.is_open()) node.writePicture(picture, 2.0);
+  ResultFile json(options.json, {options.bag}), series(options.series, {options.bag}),
+      picture(options.picture, {options.bag});
+  if (series) node.writeSeries(series.stream());
+  if (picture) node.writePicture(picture.stream(), 2.0);
   tws_runtime::BagSource source(graph, options.bag, contents.topics());
   tws_runtime::runOffline(graph, {&source});
   node.finish();
   check(options, contents, node);
-  if (json.is_open()) node.writeJson(json, options.bag);
+  if (json) node.writeJson(json.stream(), options.bag);
+  for (ResultFile* file : {&json, &series, &picture}) file->finish();
   if (!options.quiet) node.writeTable(std::cout);
 }
 

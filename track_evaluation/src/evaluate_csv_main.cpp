@@ -1,11 +1,11 @@
 #include <CLI/CLI.hpp>
-#include <fstream>
 #include <iostream>
 
 #include "evaluator.h"
 #include "identity_csv.h"
 #include "metrics_file.h"
 #include "requirements_reader.h"
+#include "result_file.h"
 #include "series_file.h"
 #include "state_csv.h"
 
@@ -22,13 +22,6 @@ struct Options {
   std::optional<double> resample;
   EvaluatorParams evaluator;
 };
-
-/// A file that is written while the run is evaluated, when it is asked for.
-void open(std::ofstream& file, const std::string& path) {
-  if (path.empty()) return;
-  file.open(path);
-  if (!file) throw std::runtime_error(path + ": cannot be written");
-}
 
 void againstTruth(const Options& options, SeriesFile& files, TrackerScore& score) {
   std::vector<RequirementProfile> profiles;
@@ -58,12 +51,11 @@ void byIdentity(const Options& options, SeriesFile& files, TrackerScore& score) 
 }
 
 RunScore evaluate(const Options& options) {
-  std::ofstream series, picture;
-  open(series, options.series);
-  open(picture, options.picture);
+  const std::vector<std::string> inputs{options.truth, options.plots, options.tracks};
+  ResultFile series(options.series, inputs), picture(options.picture, inputs);
   SeriesFile files;
-  if (series.is_open()) files.openSeries(series);
-  if (picture.is_open()) files.openPicture(picture, 0.0);
+  if (series) files.openSeries(series.stream());
+  if (picture) files.openPicture(picture.stream(), 0.0);
   TrackerScore score;
   score.tracker = "tracks";
   const EvaluatorParams& p = options.evaluator;
@@ -71,6 +63,8 @@ RunScore evaluate(const Options& options) {
       {"cutoff_m", p.cutoff}, {"order", p.order}, {"from_s", p.from}, {"initiation_limit_s", p.initiation_limit}};
   if (!options.truth.empty()) againstTruth(options, files, score);
   if (!options.plots.empty()) byIdentity(options, files, score);
+  series.finish();
+  picture.finish();
   return {options.tracks, options.truth.empty() ? MetricList{} : settings, {score}};
 }
 
@@ -113,12 +107,10 @@ int main(int argc, char** argv) {
       std::cerr << "evaluate_csv: wants --truth or --plots (evaluate_csv --help says more)\n";
       return 2;
     }
+    ResultFile json(options.json, {options.truth, options.plots, options.tracks});
     const RunScore score = evaluate(options);
-    if (!options.json.empty()) {
-      std::ofstream file(options.json);
-      writeJson(file, score);
-      if (!file.flush()) throw std::runtime_error(options.json + ": cannot be written");
-    }
+    if (json) writeJson(json.stream(), score);
+    json.finish();
     writeTable(std::cout, score);
     return 0;
   });

@@ -10,13 +10,12 @@ import unittest
 
 PAPERS = sys.argv.pop(1)
 sys.dont_write_bytecode = True
+sys.path.insert(0, str(pathlib.Path(PAPERS).parent))
 loader = importlib.machinery.SourceFileLoader("papers", PAPERS)
 papers = importlib.util.module_from_spec(importlib.util.spec_from_loader("papers", loader))
 loader.exec_module(papers)
 Sample, verdict = papers.Sample, papers.verdict
 
-
-sys.path.insert(0, str(pathlib.Path(PAPERS).parent))
 import papers_mrs  # noqa: E402, beside the program
 
 

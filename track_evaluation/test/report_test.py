@@ -55,6 +55,21 @@ class ReportTest(unittest.TestCase):
         page = self.page(self.run_folder("one", 0.9), self.run_folder("two", 0.95))
         self.assertIn("<td class='n better'>+5.00 %</td>", page)
 
+    # If this fails, a slip of the pen destroys a recording, or a full disk leaves half a page.
+    def test_the_page_is_whole_and_replaces_no_run_and_no_link(self):
+        run = self.run_folder("one", 0.9)
+        link = self.folder / "link.html"
+        link.symlink_to(run / "series.csv")
+        for out, reason in ((link, "no regular file"), ("/dev/null", "no regular file"), (self.folder / "no" / "page", "No such file")):
+            done = self.report(run, "--out", out)
+            self.assertEqual((done.returncode, len(done.stderr.splitlines())), (1, 1), done.stderr)
+            self.assertIn(reason, done.stderr)
+        done = subprocess.run(["sh", "-c", 'ulimit -f 8; exec "$@"', "sh", sys.executable, REPORT, run, "--out", self.folder / "page"],
+                              stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, timeout=120, check=False)
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("page: cannot be written: File too large", done.stderr)
+        self.assertEqual(sorted(path.name for path in self.folder.iterdir()), ["link.html", "one"])
+
     def test_a_name_cannot_break_the_page(self):
         self.assertNotIn("<b>bad", self.page(self.run_folder("<b>bad", 0.9)).replace("<b>&lt;b&gt;bad", ""))
 
