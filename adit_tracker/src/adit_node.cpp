@@ -42,7 +42,7 @@ class AditNode::Impl {
         status_(bus.advertise<tws_msgs::TrackerStatus>("~status")),
         elevation_(bus, params_.adit),
         operators_(bus, params_.frame, params_.point_topic, operatorHost()),
-        clutter_interface_(bus, operators_, params_.adit, params_.clutter_map,
+        clutter_interface_(bus, operators_, params_.adit, {params_.clutter_map, params_.clutter_map_folder},
                            [this] { return adit_ && adit_->counts().sectors > 0 ? &*adit_ : nullptr; }),
         iff_(bus, params_.frame, params_.adit.iff, params_.inputs.restart_limit),
         sites_(bus, params_.frame, namesOf(params_.adit), joinsSites(params_.adit),

@@ -26,6 +26,7 @@ NodeParams readNodeParams(tws_runtime::Bus& bus) {
   reader.integer("overflow_sectors", params.overflow, 0, 1000000);
   reader.text("point_topic", params.point_topic);
   reader.text("clutter_map", params.clutter_map);
+  reader.text("clutter_map_folder", params.clutter_map_folder);
   reader.done();
   if (params.inputs.wait_limit >= params.adit.skew_limit) {
     reader.fail("wait_limit_s", "must be less than skew_limit_s, or what replaces lost messages comes too late");

@@ -18,7 +18,8 @@ struct NodeParams {
   tws_runtime::RadarInputs::Options inputs;
   std::size_t overflow = 20;  // sectors behind the antenna
   std::string point_topic;
-  std::string clutter_map;  // file
+  std::string clutter_map;         // file
+  std::string clutter_map_folder;  // of what is saved and loaded by service
 };
 
 /// Throws tws_runtime::ParameterError.

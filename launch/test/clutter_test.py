@@ -78,17 +78,19 @@ class ClutterTest(unittest.TestCase):
         rospy.init_node("clutter_test", disable_rostime=True)
         cls.folder = pathlib.Path(tempfile.mkdtemp(prefix="clutter_"))
         cls.live, cls.saved, cls.given = (cls.folder / name for name in ("live.bag", "saved.csv", "given.csv"))
+        choice = f"adit: {{clutter_map_folder: {cls.folder}}}"
         cls.given.write_text("radar,range_m,az_deg\n# where the aircraft north flies when this is loaded\n" +
                              "".join(f"*,{slant_range},{azimuth}\n" for slant_range, azimuth in map(north, range(60, 95))))
         cls.scenario = pathlib.Path(__file__).parent.parent / "scenarios" / f"{SCENARIO}.yaml"
         run = subprocess.Popen(["roslaunch", "--no-summary", "tws_launch", "run.launch", f"record:={cls.live}", "rviz:=false",
-                                f"scenario:={SCENARIO}", "rate:=5", "duration:=85"], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+                                f"scenario:={SCENARIO}", "rate:=5", "duration:=85", f"trackers:={{{choice}}}"],
+                               stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         try:
             operator = Operator()
             operator.wait(65)
-            cls.save_answer = rospy.ServiceProxy("/adit/save_clutter_map", SaveClutterMap)(str(cls.saved))
+            cls.save_answer = rospy.ServiceProxy("/adit/save_clutter_map", SaveClutterMap)(cls.saved.name)
             for _ in range(50):  # asks again when the tracker is busy
-                cls.load_answer = rospy.ServiceProxy("/adit/load_clutter_map", LoadClutterMap)(str(cls.given))
+                cls.load_answer = rospy.ServiceProxy("/adit/load_clutter_map", LoadClutterMap)(cls.given.name)
                 if not cls.load_answer.message.startswith("busy"):
                     break
             cls.given.unlink()

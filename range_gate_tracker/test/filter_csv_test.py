@@ -47,7 +47,7 @@ class FilterCsvTest(unittest.TestCase):
         self.target = self.source
         done = self.run_on(["a,0,0"])
         self.assertEqual((done.returncode, self.source.read_text()), (1, "series,t_s,measured\na,0,0\n"))
-        self.assertIn("is the file of measurements itself", done.stderr)
+        self.assertIn("is the input itself", done.stderr)
 
     def test_what_cannot_be_used_is_named_with_its_line(self):
         for line, words in (("a,2,nan", "in.csv:4"), ("a,2", "in.csv:4"), ("a,0.5,1", "dt is -0.5"), (",2,2", "series is empty"),

@@ -1,24 +1,24 @@
 #include "clutter/clutter_csv.h"
 
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
 #include <cstdio>
-#include <cstring>
-#include <fstream>
 #include <ostream>
+#include <sstream>
 #include <stdexcept>
 
 #include <tws_core/csv_table.h>
+#include <tws_core/output_file.h>
 #include <tws_core/units.h>
 
 namespace adit_tracker {
 namespace {
 
 constexpr const char* kHeader = "radar,range_m,az_deg";
-constexpr const char* kAllRadars = "*";  // cannot be the name of one: names are parts of topics
-constexpr double kRangeSteps = 10.0;     // of the file, in a metre
-constexpr double kAzimuthSteps = 1e4;    // in a degree
+constexpr const char* kAllRadars = "*";         // cannot be the name of one: names are parts of topics
+constexpr double kRangeSteps = 10.0;            // of the file, in a metre
+constexpr double kAzimuthSteps = 1e4;           // in a degree
+constexpr std::size_t kMostBytes = 16U << 20U;  // of a file: a hundred thousand points of each of three radars
 
 struct Columns {
   explicit Columns(const tws::CsvTable& table)
@@ -34,10 +34,6 @@ ClutterPlace placeOf(const tws::CsvTable& table, const Columns& columns) {
   place.range = table.number(columns.range);
   place.azimuth = tws::radians(table.number(columns.azimuth));
   return place;
-}
-
-[[noreturn]] void fail(const std::string& path, const char* what) {
-  throw std::runtime_error(path + ": " + what + ": " + std::strerror(errno));
 }
 
 }  // namespace
@@ -67,21 +63,14 @@ void writeClutter(std::ostream& output, const std::vector<ClutterPlace>& places)
 }
 
 std::vector<ClutterPlace> loadClutterFile(const std::string& path, const ClutterLimits& limits) {
-  return readClutter(*tws::openText(path), path, limits);
+  std::istringstream input(tws::readRegularFile(path, kMostBytes));
+  return readClutter(input, path, limits);
 }
 
 void saveClutterFile(const std::string& path, const std::vector<ClutterPlace>& places) {
-  const std::string part = path + ".part";
-  std::ofstream output(part);
-  if (!output) fail(path, "cannot be written");
-  writeClutter(output, places);
-  output.close();
-  if (!output || std::rename(part.c_str(), path.c_str()) != 0) {
-    const int reason = errno;
-    std::remove(part.c_str());
-    errno = reason;
-    fail(path, "cannot be written");
-  }
+  tws::OutputFile output(path);
+  writeClutter(output.stream(), places);
+  output.finish();
 }
 
 }  // namespace adit_tracker

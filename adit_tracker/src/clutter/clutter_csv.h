@@ -16,8 +16,8 @@ std::vector<ClutterPlace> readClutter(std::istream& input, const std::string& na
 /// Writes them so that readClutter gives them back, to 0.1 m and 0.0001°.
 void writeClutter(std::ostream& output, const std::vector<ClutterPlace>& places);
 
-/// The same with files. A file is written beside its place and then renamed: one that was there stays whole. Throw
-/// std::runtime_error, naming the file.
+/// The same with files: regular ones of at most 16 MB are read, and a file that was there stays whole until another one
+/// is (tws::OutputFile). Throw std::runtime_error, naming the file.
 std::vector<ClutterPlace> loadClutterFile(const std::string& path, const ClutterLimits& limits);
 void saveClutterFile(const std::string& path, const std::vector<ClutterPlace>& places);
 

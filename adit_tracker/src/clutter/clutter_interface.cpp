@@ -2,7 +2,6 @@
 
 #include <tws_runtime/parameters.h>
 
-#include <filesystem>
 #include <stdexcept>
 
 #include "clutter/clutter_csv.h"
@@ -12,11 +11,6 @@ namespace adit_tracker {
 namespace {
 
 using Message = tws_msgs::OperatorRequest;
-
-std::string fullPath(const std::string& path) {
-  if (path.empty()) throw std::runtime_error("path is empty");
-  return std::filesystem::absolute(path).string();
-}
 
 std::vector<ClutterPlace> readStart(const std::string& node, const std::string& file, const ClutterLimits& limits) {
   if (file.empty()) return {};
@@ -30,8 +24,12 @@ std::vector<ClutterPlace> readStart(const std::string& node, const std::string& 
 }  // namespace
 
 ClutterInterface::ClutterInterface(tws_runtime::Bus& bus, OperatorInterface& operators, const AditParams& params,
-                                   const std::string& file, std::function<const Adit*()> adit)
-    : operators_(operators), limits_(params), adit_(std::move(adit)), at_start_(readStart(bus.name(), file, limits_)) {
+                                   const ClutterFiles& files, std::function<const Adit*()> adit)
+    : operators_(operators),
+      limits_(params),
+      folder_(files.folder),
+      adit_(std::move(adit)),
+      at_start_(readStart(bus.name(), files.at_start, limits_)) {
   bus.serve<tws_msgs::SaveClutterMap>("~save_clutter_map",
                                       [this](auto& request, auto& response) { return save(request, response); });
   bus.serve<tws_msgs::LoadClutterMap>("~load_clutter_map",
@@ -46,15 +44,14 @@ void ClutterInterface::beginRun() {
 }
 
 bool ClutterInterface::save(const tws_msgs::SaveClutterMap::Request& request,
-                            tws_msgs::SaveClutterMap::Response& response) const {
+                            tws_msgs::SaveClutterMap::Response& response) {
   try {
     const Adit* const adit = adit_();
     if (adit == nullptr) throw std::runtime_error("no sector has been processed yet");
-    const std::string path = fullPath(request.path);
     const std::vector<ClutterPlace> places = adit->clutter().places();
-    saveClutterFile(path, places);
+    folder_.save(request.path, places);
     response.count = static_cast<std::uint32_t>(places.size());
-    response.message = std::to_string(places.size()) + " points saved to " + path;
+    response.message = std::to_string(places.size()) + " points saved to " + folder_.pathOf(request.path);
     response.success = 1;
   } catch (const std::exception& error) {
     response.message = error.what();
@@ -65,10 +62,9 @@ bool ClutterInterface::save(const tws_msgs::SaveClutterMap::Request& request,
 bool ClutterInterface::load(const tws_msgs::LoadClutterMap::Request& request,
                             tws_msgs::LoadClutterMap::Response& response) {
   Message message = operators_.blank(Message::LOAD_CLUTTER);
-  std::string path = request.path, problem;
+  std::string problem;
   try {
-    path = fullPath(path);
-    message.clutter = clutterPoints(loadClutterFile(path, limits_));
+    message.clutter = clutterPoints(folder_.load(request.path, limits_));
   } catch (const std::exception& error) {
     problem = error.what();
   }
@@ -77,7 +73,7 @@ bool ClutterInterface::load(const tws_msgs::LoadClutterMap::Request& request,
   response.count = message.count;
   response.message = message.message;
   if (!response.success) return true;
-  response.message = std::to_string(message.count) + " points loaded from " + path;
+  response.message = std::to_string(message.count) + " points loaded from " + folder_.pathOf(request.path);
   if (message.count < message.clutter.size()) response.message += "; the others got no clutter number, all are in use";
   return true;
 }

@@ -8,29 +8,37 @@
 #include <string>
 #include <vector>
 
+#include "clutter/clutter_folder.h"
 #include "clutter/clutter_places.h"
 #include "operator/operator_interface.h"
 
 namespace adit_tracker {
 
+/// As parameters name them: what is loaded at the start of each run (empty: nothing), and where services save and load
+/// (empty: see ClutterFolder).
+struct ClutterFiles {
+  std::string at_start, folder;
+};
+
 /// Saves and loads clutter maps: services, and the file that a run starts with. Loading goes through the operator's
 /// port, so that a replay repeats it, without the file.
 class ClutterInterface {
  public:
-  /// `adit`: the tracker as it is; nullptr: it has not processed a sector yet. `file`: loaded at the start of each run;
-  /// empty: none. Throws tws_runtime::ParameterError when it cannot be used.
+  /// `adit`: the tracker as it is; nullptr: it has not processed a sector yet. Throws tws_runtime::ParameterError when
+  /// it cannot be used.
   ClutterInterface(tws_runtime::Bus& bus, OperatorInterface& operators, const AditParams& params,
-                   const std::string& file, std::function<const Adit*()> adit);
+                   const ClutterFiles& files, std::function<const Adit*()> adit);
 
   /// A new run has begun.
   void beginRun();
 
  private:
-  bool save(const tws_msgs::SaveClutterMap::Request& request, tws_msgs::SaveClutterMap::Response& response) const;
+  bool save(const tws_msgs::SaveClutterMap::Request& request, tws_msgs::SaveClutterMap::Response& response);
   bool load(const tws_msgs::LoadClutterMap::Request& request, tws_msgs::LoadClutterMap::Response& response);
 
   OperatorInterface& operators_;
   ClutterLimits limits_;
+  ClutterFolder folder_;
   std::function<const Adit*()> adit_;
   std::vector<ClutterPlace> at_start_;
 };

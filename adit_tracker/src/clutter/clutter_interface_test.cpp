@@ -58,21 +58,22 @@ class ClutterInterfaceTest : public testing::Test {
   /// Loads the map in mid-run.
   void fly(NodeGraph& node, const RadarSectors& radars) const {
     node.play(radars, 0.0, 40.0);
-    EXPECT_EQ(load(node, path_).message, "13 points loaded from " + path_);
+    EXPECT_EQ(load(node, "map.csv").message, "13 points loaded from " + path_);
     node.play(radars, 40.0, 120.0);
   }
 
   const std::filesystem::path folder_ = std::filesystem::path(testing::TempDir()) / "adit_clutter_interface_test";
   const std::string path_ = folder_ / "map.csv";
+  const std::string in_folder_ = "clutter_map_folder: " + folder_.string();
   const std::string with_file_ = "{clutter_map: " + path_ + "}";
 };
 
 // If this fails, a map that was learned is lost with the run.
 TEST_F(ClutterInterfaceTest, WhatIsSavedInOneRunIsThereInTheNextFromTheStart) {
   const RadarSectors radars = scene(100.0);
-  NodeGraph first;
+  NodeGraph first("{" + in_folder_ + "}");
   first.play(radars, 0.0, 100.0);
-  const auto saved = save(first, path_);
+  const auto saved = save(first, "map.csv");
   EXPECT_TRUE(saved.success);
   EXPECT_EQ(saved.message, std::to_string(saved.count) + " points saved to " + path_);
   EXPECT_GE(saved.count, 20U);
@@ -98,7 +99,7 @@ TEST_F(ClutterInterfaceTest, AReplayRepeatsALoadWithoutTheFileByteByByte) {
   const RadarSectors radars = scene(120.0);
   for (const char* set : {"default", "nrl7952"}) {
     write(pointsInItsWay());
-    const std::string given = std::string("{set: ") + set + "}";
+    const std::string given = std::string("{set: ") + set + ", " + in_folder_ + "}";
     NodeGraph run(given), replay(given), idle(given);
     fly(run, radars);
     std::filesystem::remove(path_);
@@ -166,24 +167,24 @@ TEST_F(ClutterInterfaceTest, ARunThatBeginsAgainBeforeItsFirstSectorHasTheMapToo
 // If this fails, an operator whose file was not loaded does not know it, or a bag does not.
 TEST_F(ClutterInterfaceTest, AMapThatCannotBeLoadedOrSavedIsRefusedInWordsAndTheRefusalRepeated) {
   const RadarSectors radars = scene(60.0);
-  NodeGraph node, replay;
-  EXPECT_EQ(save(node, path_).message, "no sector has been processed yet");
+  NodeGraph node("{" + in_folder_ + "}"), replay;
+  EXPECT_EQ(save(node, "map.csv").message, "no sector has been processed yet");
   write("*,1000,1\n");
-  EXPECT_EQ(load(node, path_).message, "busy: no sector has been processed yet");
+  EXPECT_EQ(load(node, "map.csv").message, "busy: no sector has been processed yet");
   EXPECT_EQ(node.told.back().result, Request::BUSY);
   node.play(radars, 0.0, 30.0);
   write("*,1000,1\n*,-5,1\n");
-  const auto answer = load(node, path_);
+  const auto answer = load(node, "map.csv");
   EXPECT_FALSE(answer.success);
   EXPECT_EQ(answer.count, 0U);
   EXPECT_EQ(answer.message, path_ + ":3: range_m is not in (0, 1e7]: -5");
   EXPECT_EQ(load(node, "").message, "path is empty");
-  EXPECT_EQ(load(node, folder_ / "absent").message,
-            (folder_ / "absent: cannot be read: No such file or directory").string());
-  EXPECT_EQ(save(node, folder_ / "a" / "b").message,
-            (folder_ / "a" / "b: cannot be written: No such file or directory").string());
+  EXPECT_EQ(load(node, "absent").message, (folder_ / "absent: cannot be read: No such file or directory").string());
+  std::filesystem::create_directory(folder_ / "a");
+  EXPECT_EQ(save(node, "a").message, (folder_ / "a: cannot be written: it exists and is no regular file").string());
+  EXPECT_EQ(save(node, "../b").message.substr(0, 29), "path must be the name of a fi");
   write("");
-  EXPECT_EQ(load(node, path_).message, "there are no clutter points to load");
+  EXPECT_EQ(load(node, "map.csv").message, "there are no clutter points to load");
   node.play(radars, 30.0, 60.0);
   for (const Request& told : node.told) replay.recorded.publish(told);
   replay.play(radars, 0.0, 60.0);
