@@ -1,4 +1,6 @@
 // Plots in a CSV file → tracks in a CSV file, without ROS. See README.md.
+#include <tws_runtime/command_line.h>
+
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
@@ -11,6 +13,7 @@
 #include <utility>
 
 #include <tws_core/csv_table.h>
+#include <tws_core/output_file.h>
 #include <tws_core/rotation.h>
 #include <tws_core/units.h>
 
@@ -132,6 +135,12 @@ class Run {
     if (epochs_ > 0.0) pictures(input_.last_time + 1e-6);
   }
 
+  bool hasFirmTracks() const { return adit_.counts().tracks_firm > 0; }
+  std::uint64_t absorbed() const {
+    std::uint64_t sum = 0;
+    for (const ClutterMap& map : adit_.clutter().maps()) sum += map.absorbed();
+    return sum;
+  }
   std::vector<ClutterPlace> clutter() const { return adit_.clutter().places(); }
 
   void summary(const PlotTable& table) const {
@@ -150,12 +159,6 @@ class Run {
   }
 
  private:
-  std::uint64_t absorbed() const {
-    std::uint64_t sum = 0;
-    for (const ClutterMap& map : adit_.clutter().maps()) sum += map.absorbed();
-    return sum;
-  }
-
   SectorFeed* earliest() {
     SectorFeed* best = nullptr;
     for (SectorFeed& feed : input_.feeds) {
@@ -190,18 +193,21 @@ void run(const Options& options) {
     std::cerr << options.detections << ": times of day pass midnight " << table.midnights
               << (table.midnights == 1 ? " time" : " times") << " and are continued\n";
   if (table.plots == 0) throw std::runtime_error(options.detections + ": holds no usable plot");
-  if (std::filesystem::exists(options.tracks) && std::filesystem::equivalent(options.tracks, options.detections)) {
-    throw std::runtime_error(options.tracks + ": is the file of plots itself");
-  }
   Input found = inputOf(options, table);
-  std::ofstream output(options.tracks);
-  if (!output) throw std::runtime_error(options.tracks + ": cannot be written");
-  Run tracker(options.epochs, std::move(found), output);
+  const std::vector<std::string> inputs{options.detections, options.clutter_map, options.params};
+  if (!options.save_clutter_map.empty()) tws::checkOutputPath(options.save_clutter_map, inputs);
+  tws::OutputFile output(options.tracks, inputs);
+  Run tracker(options.epochs, std::move(found), output.stream());
   tracker.go();
-  output.flush();
-  if (!output) throw std::runtime_error(options.tracks + ": writing failed");
+  output.finish();
   if (!options.save_clutter_map.empty()) saveClutterFile(options.save_clutter_map, tracker.clutter());
   tracker.summary(table);
+  // Who asks for clutter may have nothing else.
+  const bool clutter = !(options.clutter_map + options.save_clutter_map).empty() && tracker.absorbed() > 0;
+  if (!tracker.hasFirmTracks() && !clutter)
+    throw std::runtime_error(options.detections + ": nothing was tracked: no track of " + std::to_string(table.plots) +
+                             " plots became firm; check the periods above (--radar ID:PERIOD_S:PHASE_DEG), or give "
+                             "more scans");
 }
 
 /// Empty: seconds between two pictures.
@@ -247,11 +253,8 @@ std::optional<int> parse(Options& options, int argc, char** argv) {
 int main(int argc, char** argv) {
   adit_tracker::Options options;
   if (const auto status = adit_tracker::parse(options, argc, argv)) return *status;
-  try {
+  return tws_runtime::guarded("adit_csv", [&] {
     adit_tracker::run(options);
-  } catch (const std::exception& error) {
-    std::cerr << "adit_csv: " << error.what() << '\n';
-    return 1;
-  }
-  return 0;
+    return 0;
+  });
 }

@@ -52,6 +52,13 @@ class AditCsv(unittest.TestCase):
         self.assertEqual(lines[0], "t_s,track_id,x_m,y_m,vx_mps,vy_mps,status")
         return [line.split(",") for line in lines[1:]], done.stderr
 
+    # If this fails, a file whose rotation was not understood gives an empty picture and status 0.
+    def test_a_file_in_which_nothing_is_tracked_is_no_success(self):
+        self.write([f"{6 * scan + 3},a,{scan},{20000 + 7919 * scan % 50000},180" for scan in range(20)])
+        done = self.start("--detections", self.detections, "--tracks", self.tracks, "--radar", "a:6:0")
+        self.assertEqual(done.returncode, 1, done.stderr)
+        self.assertIn("nothing was tracked: no track of 20 plots became firm; check the periods", done.stderr.splitlines()[-1])
+
     # If this fails, what one file of plots taught about the clutter is lost for the next.
     def test_a_clutter_map_that_was_saved_keeps_rocks_from_starting_tracks(self):
         rocks = [f"{6 * scan + 6 * azimuth / 360:.4f},a,{scan},{20000 + 40 * azimuth},{azimuth}"

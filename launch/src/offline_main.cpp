@@ -1,5 +1,6 @@
 #include "offline_main.h"
 
+#include <tws_core/output_file.h>
 #include <tws_runtime/bag_source.h>
 #include <tws_runtime/command_line.h>
 #include <tws_runtime/run.h>
@@ -7,7 +8,6 @@
 #include <chrono>
 #include <csignal>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 
 #include "command_words.h"
@@ -26,9 +26,8 @@ const std::set<std::string> kAllowed{"clutter_map", "date",   "duration", "graph
 
 std::string outputFile(const std::string& folder, const RunInput& input) {
   std::filesystem::create_directories(folder);
-  std::string output = folder + "/run.bag";
-  if (std::filesystem::exists(output) && std::filesystem::equivalent(output, input.path))
-    throw std::runtime_error(output + ": is the input itself; name another folder by --out");
+  const std::string output = folder + "/run.bag";
+  tws::checkOutputPath(output, {input.path});
   return output;
 }
 
@@ -46,10 +45,9 @@ std::vector<std::unique_ptr<tws_runtime::Source>> bagSources(OfflineGraph& offli
 
 /// What programs want to know of the run, as JSON.
 void writeTimes(const std::string& path, double simulated, double wall) {
-  std::ofstream file(path);
-  file << "{\"simulated_time_s\": " << simulated << ", \"wall_time_s\": " << wall << "}\n";
-  file.close();
-  if (!file) throw std::runtime_error(path + ": cannot be written");
+  tws::OutputFile file(path);
+  file.stream() << "{\"simulated_time_s\": " << simulated << ", \"wall_time_s\": " << wall << "}\n";
+  file.finish();
 }
 
 void run(const std::string& path, const std::string& folder, const std::string& json, const RunOptions& options,
@@ -71,8 +69,11 @@ void run(const std::string& path, const std::string& folder, const std::string& 
   });
   offline.graph().finishRecording();
   const double wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  offline.progress().summary().print(std::cout, offline.graph().counters(), wall);
-  if (!json.empty()) writeTimes(json, offline.progress().summary().simulatedTime(), wall);
+  const RunSummary& summary = offline.progress().summary();
+  summary.print(std::cout, offline.graph().counters(), wall);
+  if (!json.empty()) writeTimes(json, summary.simulatedTime(), wall);
+  const std::string failure = summary.failure();
+  if (!failure.empty() && interrupted == 0) throw std::runtime_error(path + ": " + failure);
 }
 
 int help() {

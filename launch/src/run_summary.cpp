@@ -99,6 +99,7 @@ std::vector<std::pair<std::string, double>> RunSummary::silent(double limit) con
 
 void RunSummary::add(const tws_msgs::Tracks& message) {
   hear(message.tracker, message.header.stamp);
+  last_tracked_ = std::max(last_tracked_, message.header.stamp);
   Tracker& tracker = trackers_[message.tracker];
   for (const Track& track : message.tracks) {
     tracker.last_state[track.uid] = track.state;
@@ -130,6 +131,46 @@ void RunSummary::add(const diagnostic_msgs::DiagnosticArray& message) {
 }
 
 double RunSummary::simulatedTime() const { return tws_runtime::toSeconds(last_) - tws_runtime::toSeconds(first_); }
+
+double RunSummary::trackedTime() const { return last_tracked_ > first_ ? (last_tracked_ - first_).toSec() : 0.0; }
+
+std::string RunSummary::sensorNames() const {
+  std::string names;
+  const auto add = [&](const auto& sensors) {
+    for (const auto& sensor : sensors) names += (names.empty() ? "" : ", ") + sensor.first;
+  };
+  add(radars_);
+  add(arrays_);
+  add(staring_);
+  return names;
+}
+
+std::size_t RunSummary::begunTracks() const {
+  std::size_t begun = 0;
+  for (const auto& [name, tracker] : trackers_) begun += tracker.last_state.size();
+  return begun;
+}
+
+bool RunSummary::hasConfirmed() const {
+  return (correlator_ && !correlator_->tracks.last_state.empty()) ||
+         std::any_of(trackers_.begin(), trackers_.end(), [](const auto& t) { return !t.second.became_firm.empty(); });
+}
+
+std::string RunSummary::failure() const {
+  constexpr double kLongEnough = 60.0;  // [s] In less, tracks may have begun and not be confirmed yet.
+  const std::size_t begun = begunTracks();
+  if (hasConfirmed() || (begun > 0 && simulatedTime() < kLongEnough)) return "";
+  const std::string sensors = sensorNames();
+  if (sensors.empty())
+    return "nothing was tracked: no radar's plots came out of the input; `tws_inspect FILE` says what is understood of "
+           "it";
+  std::string text = "nothing was tracked: " + std::to_string(plots()) + " plots of " + sensors + " in " +
+                     oneDecimal(simulatedTime()) + " s";
+  if (plots() == 0) return text + "; are the radars' messages empty, or their names others than the graph's?";
+  text += begun == 0 ? ", of which no track began"
+                     : ", of which " + std::to_string(begun) + " tracks began, none confirmed";
+  return text + "; a track needs an aircraft in some scans: run longer, or check the radars' rotation, times and sites";
+}
 
 std::uint64_t RunSummary::plots() const {
   std::uint64_t plots = 0;

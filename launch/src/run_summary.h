@@ -45,6 +45,10 @@ class RunSummary {
   std::uint64_t plots() const;
   /// Tracks that have not been dropped: those of the correlator where there is one, else of all trackers.
   std::size_t livingTracks() const;
+  /// From the first sensor message to the trackers' last word [s of data time]; 0 without any.
+  double trackedTime() const;
+  /// Why the run was in vain, what was in it and what to do, in one line; empty: something was tracked.
+  std::string failure() const;
   /// The counters as the diagnostics said them.
   std::vector<tws_runtime::CounterReading> counters() const;
   /// A table for people, with those of the `counters` that are not zero. `wall_time` [s], when known.
@@ -85,9 +89,13 @@ class RunSummary {
 
   void beAlive(const std::string& radar, ros::Time stamp);
   void hear(const std::string& name, ros::Time stamp);
+  std::string sensorNames() const;
+  std::size_t begunTracks() const;
+  bool hasConfirmed() const;
 
   ros::Time first_;
   ros::Time last_;
+  ros::Time last_tracked_;
   std::map<std::string, ros::Time> heard_;  ///< Latest stamp of each radar, tracker and correlator.
   std::map<std::string, Radar> radars_;
   std::map<std::string, Array> arrays_;

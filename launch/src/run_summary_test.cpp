@@ -53,6 +53,28 @@ std::vector<double> row(const std::string& table, const std::string& name) {
   return {};
 }
 
+// If these fail, a run in which nothing was understood ends as well as one with a hundred tracks.
+TEST(RunSummary, ARunWithoutATrackFailsAndSaysWhatWasInIt) {
+  EXPECT_NE(RunSummary().failure().find("no radar's plots came out of the input"), std::string::npos);
+  RunSummary summary;
+  summary.add(detections("a", 0.5, 0));
+  summary.add(detections("b", 30.5, 0));
+  EXPECT_NE(summary.failure().find("0 plots of a, b in 30.0 s; are the radars' messages empty"), std::string::npos);
+  summary.add(detections("a", 31.5, 7));
+  EXPECT_NE(summary.failure().find("7 plots of a, b in 31.0 s, of which no track began"), std::string::npos);
+}
+
+TEST(RunSummary, TracksOfWhichNoneIsConfirmedAreAFailureAfterAMinute) {
+  RunSummary summary;
+  summary.add(detections("a", 1.0, 10));
+  summary.add(tracks({{1, Track::TENTATIVE}, {2, Track::DROPPED}}));
+  EXPECT_EQ(summary.failure(), "");
+  summary.add(detections("a", 61.0, 10));
+  EXPECT_NE(summary.failure().find("2 tracks began, none confirmed"), std::string::npos);
+  summary.add(tracks({{1, Track::FIRM}}));
+  EXPECT_EQ(summary.failure(), "");
+}
+
 TEST(RunSummary, CountsDwellsAndMeasurementsOfEachArray) {
   tws_msgs::DwellReports period;
   period.radar = "esa";

@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <iostream>
+#include <stdexcept>
 
 #include "run_summary.h"
 
@@ -15,6 +16,8 @@ int main(int argc, char** argv) {
     if (const auto status = tws_runtime::parseCommandLine(app, argc, argv)) return *status;
     const auto summary = tws_launch::RunSummary::ofBag(bag);
     summary.print(std::cout, summary.counters(), wall_time);
+    const std::string failure = summary.failure();
+    if (!failure.empty()) throw std::runtime_error(failure);
     return 0;
   });
 }
