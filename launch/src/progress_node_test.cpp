@@ -26,30 +26,31 @@ TEST(Progress, SaysTimeTracksPlotsPerSecondAndWhatIsLeft) {
   tws_msgs::Tracks tracks;
   tracks.tracks.resize(1);
   tracks.tracks[0].state = tws_msgs::Track::FIRM;
+  tracks.header.stamp = ros::Time(1029.0);
   summary.add(tracks);
   // 30 of 120 s took 3 s of wall time, so the other 90 s take 9 s.
-  EXPECT_EQ(progressLine(summary, 120.0, 3.0), "30.0 of 120.0 s simulated (25 %), 1 tracks, 100 plots/s, 9 s left");
+  EXPECT_EQ(progressLine(summary, 120.0, 3.0, 100.0),
+            "30.0 of 120.0 s simulated (25 %), 1 tracks, 100 plots/s, 9 s left");
 }
 
-// If this fails, a tracker that stands looks alive to the end: its last tracks are shown as if they were today's.
-TEST(Progress, SaysWhoIsSilentAndForHowLong) {
+// If this fails, the picture of a tracker that stands is taken for the one of now.
+TEST(Progress, TracksThatAreNotOfNowAreSaidWithTheirTime) {
   RunSummary summary;
   tws_msgs::Tracks tracks;
-  tracks.tracker = "adit";
-  tracks.header.stamp = ros::Time(1000.0);
-  summary.add(detections(1000.0, 1));
+  tracks.tracks.resize(1);
+  tracks.tracks[0].state = tws_msgs::Track::FIRM;
+  tracks.header.stamp = ros::Time(1010.0);
+  summary.add(detections(1000.0, 100));
   summary.add(tracks);
-  summary.add(detections(1014.0, 1));
-  EXPECT_EQ(progressLine(summary, 0.0, 1.0), "14.0 s simulated, 0 tracks, 2 plots/s");
-  summary.add(detections(1020.0, 1));
-  EXPECT_EQ(progressLine(summary, 0.0, 1.0), "20.0 s simulated, 0 tracks, 3 plots/s, adit silent for 20.0 s");
+  summary.add(detections(1030.0, 200));
+  EXPECT_EQ(progressLine(summary, 0.0, 3.0, 7.0), "30.0 s simulated, 1 tracks as of 10.0 s, 7 plots/s");
 }
 
 TEST(Progress, OfARunOfUnknownLengthSaysNoPercentAndNoRest) {
   RunSummary summary;
   summary.add(detections(5.0, 1));
   summary.add(detections(7.5, 1));
-  EXPECT_EQ(progressLine(summary, 0.0, 1.0), "2.5 s simulated, 0 tracks, 2 plots/s");
+  EXPECT_EQ(progressLine(summary, 0.0, 1.0, 2.0), "2.5 s simulated, 0 tracks, 2 plots/s");
 }
 
 TEST(Progress, HearsTheRadarsItIsTold) {

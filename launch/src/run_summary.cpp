@@ -54,14 +54,14 @@ RunSummary RunSummary::ofBag(const std::string& path) {
 }
 
 void RunSummary::add(const tws_msgs::Detections& message) {
-  beAlive(message.radar, message.header.stamp);
+  beAlive(message.header.stamp);
   Radar& radar = radars_[message.radar];
   ++radar.sectors;
   radar.plots += message.detections.size();
 }
 
 void RunSummary::add(const tws_msgs::DwellReports& message) {
-  beAlive(message.radar, message.header.stamp);
+  beAlive(message.header.stamp);
   Array& array = arrays_[message.radar];
   ++array.periods;
   array.dwells += message.dwells.size();
@@ -72,33 +72,18 @@ void RunSummary::add(const tws_msgs::DwellReports& message) {
 }
 
 void RunSummary::add(const tws_msgs::RangeProfile& message) {
-  beAlive(message.radar, message.header.stamp);
+  beAlive(message.header.stamp);
   Staring& radar = staring_[message.radar];
   ++radar.profiles;
   radar.bins += message.amplitude.size();
 }
 
-void RunSummary::beAlive(const std::string& radar, ros::Time stamp) {
-  hear(radar, stamp);
+void RunSummary::beAlive(ros::Time stamp) {
   if (first_.isZero()) first_ = stamp;
   last_ = std::max(last_, stamp);
 }
 
-void RunSummary::hear(const std::string& name, ros::Time stamp) {
-  if (!stamp.isZero()) heard_[name] = std::max(heard_[name], stamp);
-}
-
-std::vector<std::pair<std::string, double>> RunSummary::silent(double limit) const {
-  std::vector<std::pair<std::string, double>> silent;
-  for (const auto& [name, stamp] : heard_) {
-    const double silence = tws_runtime::toSeconds(last_) - tws_runtime::toSeconds(stamp);
-    if (silence > limit) silent.emplace_back(name, silence);
-  }
-  return silent;
-}
-
 void RunSummary::add(const tws_msgs::Tracks& message) {
-  hear(message.tracker, message.header.stamp);
   last_tracked_ = std::max(last_tracked_, message.header.stamp);
   Tracker& tracker = trackers_[message.tracker];
   for (const Track& track : message.tracks) {
@@ -109,7 +94,6 @@ void RunSummary::add(const tws_msgs::Tracks& message) {
 
 void RunSummary::add(const tws_msgs::CorrelatedTracks& message) {
   if (!correlator_) correlator_ = Correlator{};
-  hear("correlator", message.header.stamp);
   for (const tws_msgs::CorrelatedTrack& track : message.tracks) {
     correlator_->tracks.last_state[track.identity] = track.track.state;
     correlator_->kind[track.identity] = track.kind;

@@ -38,9 +38,6 @@ class RunSummary {
 
   /// Data time from the first sensor message to the last [s]; 0 without any.
   double simulatedTime() const;
-  /// Radars, trackers and the correlator whose latest message lies more than `limit` [s] of data time behind the
-  /// newest of all sensors, and how far [s].
-  std::vector<std::pair<std::string, double>> silent(double limit) const;
   /// Of rotating radars, measurements of arrays, and range profiles.
   std::uint64_t plots() const;
   /// Tracks that have not been dropped: those of the correlator where there is one, else of all trackers.
@@ -87,8 +84,7 @@ class RunSummary {
   void printTrackers(std::ostream& out) const;
   void printCorrelator(std::ostream& out) const;
 
-  void beAlive(const std::string& radar, ros::Time stamp);
-  void hear(const std::string& name, ros::Time stamp);
+  void beAlive(ros::Time stamp);
   std::string sensorNames() const;
   std::size_t begunTracks() const;
   bool hasConfirmed() const;
@@ -96,7 +92,6 @@ class RunSummary {
   ros::Time first_;
   ros::Time last_;
   ros::Time last_tracked_;
-  std::map<std::string, ros::Time> heard_;  ///< Latest stamp of each radar, tracker and correlator.
   std::map<std::string, Radar> radars_;
   std::map<std::string, Array> arrays_;
   std::map<std::string, Staring> staring_;
