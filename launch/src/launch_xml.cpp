@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <sstream>
+#include <stdexcept>
 
 namespace tws_launch {
 namespace {
 
+/// XML takes a bare new line in an attribute for a space.
 std::string escaped(const std::string& text) {
   std::string result;
   for (const char c : text) {
@@ -15,6 +17,8 @@ std::string escaped(const std::string& text) {
       result += "&lt;";
     else if (c == '"')
       result += "&quot;";
+    else if (c == '\n' || c == '\t' || c == '\r')
+      result += "&#" + std::to_string(static_cast<int>(c)) + ";";
     else
       result += c;
   }
@@ -25,8 +29,10 @@ std::string attribute(const std::string& name, const std::string& value) {
   return value.empty() ? "" : " " + name + "=\"" + escaped(value) + "\"";
 }
 
-/// A word of a command line, which roslaunch splits as a shell does. "$(" would be a substitution of roslaunch's.
+/// A word of a command line, which roslaunch splits as a shell does.
 std::string word(const std::string& text) {
+  if (text.find("$(") != std::string::npos)
+    throw std::runtime_error("'" + text + "': roslaunch would replace what begins with $( in it; choose another name");
   const bool plain = text.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_./=:,-") ==
                      std::string::npos;
   if (plain) return text;
@@ -56,10 +62,8 @@ void writeParameters(std::ostream& out, const YAML::Node& parameters) {
 
 const char* const kManager = "manager";
 
-/// A run ends with its source, and when a tracker dies.
-bool endsTheRun(const NodeDescription& node) {
-  return (node.role == "source" || node.role == "tracker") && !node.respawn;
-}
+/// A run ends with its source, and when a tracker or the recorder dies.
+bool endsTheRun(const NodeDescription& node) { return node.role != "watcher" && !node.respawn; }
 
 /// Our nodes are nodelets, too: NODE of the package is the class PACKAGE/NODElet.
 bool isNodelet(const GraphDescription& graph, const NodeDescription& node) {

@@ -25,6 +25,8 @@ bool holds(const std::string& text, const std::string& part) { return text.find(
 TEST(LaunchXml, EndsTheRunWithASourceOrATrackerUnlessThatIsStartedAgain) {
   EXPECT_TRUE(holds(xmlOf(node("tracker")), "required=\"true\""));
   EXPECT_FALSE(holds(xmlOf(node("watcher")), "required"));
+  // A run that nobody records is not what was asked for.
+  EXPECT_TRUE(holds(xmlOf(node("recorder")), "required=\"true\""));
   NodeDescription again = node("tracker");
   again.respawn = true;
   EXPECT_FALSE(holds(xmlOf(again), "required"));
@@ -39,6 +41,16 @@ TEST(LaunchXml, QuotesForTheShellAndForXml) {
   const std::string xml = xmlOf(player);
   EXPECT_TRUE(holds(xml, "args=\"--rate=1 '/my runs/a&amp;b.bag'\"")) << xml;
   EXPECT_TRUE(holds(xml, "\"text\": &quot;x &lt; \\&quot;y\\&quot;&quot;") || holds(xml, "x &lt; ")) << xml;
+}
+
+// If this fails, an apostrophe in the name of a folder breaks the recorder's line, and a new line becomes a space.
+TEST(LaunchXml, NamesComeThroughShellAndXmlAsTheyAre) {
+  NodeDescription recorder = node("recorder");
+  recorder.arguments = {"/it's", "/two\nlines", "/März", "/a\"b", "-x"};
+  const std::string xml = xmlOf(recorder);
+  EXPECT_TRUE(holds(xml, "args=\"'/it'&quot;'&quot;'s' '/two&#10;lines' '/März' '/a&quot;b' -x\"")) << xml;
+  recorder.arguments = {"/$(arg x)/run.bag"};
+  EXPECT_THROW(xmlOf(recorder), std::runtime_error);
 }
 
 // If this fails, the end of the scenario does not end the run, or a user's own program is loaded as a nodelet.

@@ -1,5 +1,7 @@
 #include "run_plan.h"
 
+#include <tws_core/output_file.h>
+
 #include <algorithm>
 #include <cstdlib>
 #include <ctime>
@@ -40,10 +42,9 @@ std::string textOf(const std::string& path) {
 }
 
 void write(const std::string& path, const std::string& text) {
-  std::ofstream file(path);
-  file << text;
-  file.close();
-  if (!file) throw std::runtime_error(path + ": cannot be written");
+  tws::OutputFile file(path);
+  file.stream() << text;
+  file.finish();
 }
 
 /// Our configuration of RViz shows 200 km; another range makes another scale.
@@ -73,6 +74,16 @@ std::string newFolder(const std::string& root, const std::string& input) {
   return root + "/out/" + date + "-" + (isBag(input) ? "replay" : fs::path(input).stem().string());
 }
 
+/// Some minutes of a large scenario; a run that needs more is watched while it lasts.
+void checkSpace(const std::string& bag) {
+  constexpr std::uint64_t kLeast = 256;  // [MB]
+  const std::uint64_t space = tws::spaceFor(bag) >> 20U;
+  tws::checkOutputPath(bag);
+  if (space < kLeast)
+    throw std::runtime_error(bag + ": the disk has " + std::to_string(space) + " MB left, and a run needs " +
+                             std::to_string(kLeast) + "; make room, or name another folder by --out");
+}
+
 std::string madeFolder(const CommandWords& words, const std::string& root, const std::string& input) {
   const auto out = words.others.find("out");
   std::string folder = fs::absolute(out == words.others.end() ? newFolder(root, input) : out->second).string();
@@ -81,7 +92,8 @@ std::string madeFolder(const CommandWords& words, const std::string& root, const
     throw std::runtime_error(input + " is the bag itself: name another folder by --out");
   std::error_code error;
   fs::create_directories(folder, error);
-  if (error) throw std::runtime_error("cannot make the folder " + folder);
+  if (error) throw std::runtime_error("cannot make the folder " + folder + ": " + error.message());
+  checkSpace(bag);
   return folder;
 }
 
@@ -165,6 +177,7 @@ std::string inputFile(const std::string& name) {
 std::string launchFileFor(const std::string& input, RunOptions options, const std::string& rviz_config) {
   const GraphFile file = readGraphFileWith(options["graph"]);
   const RunInput read = inspectInput(input, file, options);
+  if (options.has("record")) tws::checkOutputPath(options["record"], {input});
   if (!rviz_config.empty() && options.flag("rviz") && options.isSaid("picture_range") && !options.has("rviz_config")) {
     writeRvizConfig(rviz_config, std::stod(options["picture_range"]));
     options.set("rviz_config", rviz_config);

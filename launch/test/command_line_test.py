@@ -57,6 +57,12 @@ class CommandLine(unittest.TestCase):
         for words in ([INSPECT, self.scenario], [OFFLINE, self.scenario, "--out", self.folder / "out"]):
             self.refused(1, f"{self.scenario}:2:", *words)
 
+    # If this fails, a replay ends by writing over the bag that it has just played.
+    def test_a_bag_is_not_recorded_over_itself(self):
+        self.refused(1, f"{self.bag}: is the input itself", INSPECT, "launch", self.bag, f"record:={self.bag}")
+        self.refused(1, "name another folder by --out", TWS, "replay", self.bag, "--out", self.folder)
+        self.refused(1, "no regular file", INSPECT, "launch", self.bag, "record:=/dev/null")
+
     # If this fails, the progress of a shortened run ends at some odd per cent.
     def test_the_length_of_a_run_is_what_will_be_run(self):
         for words, length in (([self.scenario], 300), ([self.scenario, "--duration", "400"], 400), ([self.bag], 60),
