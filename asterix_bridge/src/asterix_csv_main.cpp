@@ -30,15 +30,21 @@ void convert(const std::string& path, bool records) {
     if (all) all->add(message, time);
   };
   events.fault = [&](FaultKind kind, const BlockFault& fault) { complain(recording, kind, fault, ++faults); };
-  RecordStream stream(clockFor(recording, std::nullopt), std::move(events));
+  const DataClock clock = clockFor(recording, std::nullopt);
+  RecordStream stream(clock, std::move(events));
   const std::unique_ptr<BlockFinder> blocks = recording.blocks();
   while (const auto step = blocks->next()) stream.add(*step);
+  stream.finish();
   std::cout.flush();
   if (!std::cout) throw std::runtime_error("writing failed");
   std::cerr << path << " (" << toText(recording.framing()) << "): " << stream.blocks() << " blocks, "
             << stream.records() << " records, " << faults << " faults"
             << (plots ? ", " + std::to_string(plots->leftOut()) + " reports without detection, position or time" : "")
             << '\n';
+  if (stream.records() == 0) throw std::runtime_error(path + ": " + whyEmpty(contentsOf(recording, clock)));
+  if (plots && plots->count() == 0)
+    throw std::runtime_error(path + ": no plot came out of " + std::to_string(stream.records()) +
+                             " records; --records shows them");
 }
 
 }  // namespace

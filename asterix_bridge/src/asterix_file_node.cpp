@@ -36,9 +36,10 @@ class AsterixFileNode::Impl {
         outlet_(bus, params_),
         feed_(clock_, params_.feed, events()),
         blocks_(recording_.blocks()) {
-    if (contents_.radars.empty()) throw std::runtime_error(params_.file + ": no radar in it");
+    if (contents_.radars.empty()) throw std::runtime_error(params_.file + ": " + whyEmpty(contents_));
     openRadars();
     fill();
+    if (sectors_.empty()) throw std::runtime_error(params_.file + ": no sector came out: " + problems());
     end_ = std::min(contents_.end, params_.duration > 0.0 ? contents_.start + params_.duration : contents_.end);
   }
 
@@ -62,6 +63,7 @@ class AsterixFileNode::Impl {
   ros::Time endTime() const { return tws_runtime::toTime(end_); }
 
  private:
+  static constexpr std::size_t kMostProblems = 8;
   static constexpr double kTail = 1.0;  // the sector of the last report closes after it [s]
 
   /// All of the file's radars: the busiest first, for it is the main one; then those whose place is known.
@@ -80,9 +82,19 @@ class AsterixFileNode::Impl {
       sectors_.emplace(std::pair(time, radar), std::move(sector));
     };
     events.position = [](SourceId, const tws::Geodetic&) {};
-    events.fault = [this](const std::string& counter, const std::string& reason) { bus_.counter(counter).add(reason); };
+    events.fault = [this](const std::string& counter, const std::string& reason) {
+      bus_.counter(counter).add(reason);
+      if (problems_.size() < kMostProblems) problems_.try_emplace(counter, reason);
+    };
     events.left_out = [this](const std::string& counter) { bus_.counter(counter).add(); };
     return events;
+  }
+
+  /// The first of each kind, for a file of which nothing comes out.
+  std::string problems() const {
+    std::string all;
+    for (const auto& [counter, reason] : problems_) all += (all.empty() ? "" : "; ") + counter + ": " + reason;
+    return all.empty() ? "no report of a target is in it" : all;
   }
 
   /// Reads on until it is sure that no radar has an earlier sector to come.
@@ -106,7 +118,8 @@ class AsterixFileNode::Impl {
   std::multimap<std::pair<double, SourceId>, CutSector> sectors_;  // by the time at which they close
   RadarFeed feed_;
   std::unique_ptr<BlockFinder> blocks_;
-  double published_ = 0.0;  // the time of the latest sector that went out
+  std::map<std::string, std::string> problems_;  // counter, first reason
+  double published_ = 0.0;                       // the time of the latest sector that went out
   double end_ = 0.0;
 };
 
@@ -119,6 +132,7 @@ std::optional<ros::Time> AsterixFileNode::endTime() const { return impl_->endTim
 RecordingSummary inspectRecording(const std::string& path) {
   const Recording recording(path);
   const Contents contents = contentsOf(recording, clockFor(recording, std::nullopt));
+  if (contents.radars.empty()) throw std::runtime_error(path + ": " + whyEmpty(contents));
   RecordingSummary summary;
   summary.framing = toText(recording.framing());
   for (const SourceId radar : busiestFirst(contents)) summary.radars.push_back(radarName(radar));

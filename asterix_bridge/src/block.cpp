@@ -1,5 +1,7 @@
 #include "block.h"
 
+#include <cmath>
+
 #include "profiles.h"
 #include "record_reader.h"
 
@@ -15,35 +17,47 @@ Uap<TargetReport> cat001For(ByteReader ahead) {
   return ahead.u8() & 0x80u ? cat001Tracks() : cat001Plots();
 }
 
+// A record that does not say its radar is of the one before it in the block.
+void inherit(TargetReport& report, const TargetReport& before) {
+  if (!report.source) report.source = before.source;
+  if (!std::isnan(report.time_of_day)) return;
+  report.time_of_day = before.time_of_day;
+  report.is_time_truncated = before.is_time_truncated;
+}
+void inherit(ServiceMessage& message, const ServiceMessage& before) {
+  if (!message.source) message.source = before.source;
+}
+
 template <class Record, class Profile>
-void readRecords(ByteReader& reader, Block& block, std::vector<Record>& records, const Profile& profile) {
-  while (reader.remaining() > 0) {
+void readRecords(ByteReader& reader, std::size_t end, Block& block, std::vector<Record>& records,
+                 const Profile& profile) {
+  while (reader.remaining() > 0 && reader.offset() < end) {
     Record record;
     record.category = static_cast<std::uint8_t>(block.category);
     RecordReader<Record>(reader, profile(), record).read();
+    if (!records.empty()) inherit(record, records.back());
     records.push_back(record);
   }
 }
 
-void readBody(ByteReader& reader, Block& block) {
+// The records that begin before `end`.
+void readBody(ByteReader& reader, std::size_t end, Block& block) {
   switch (block.category) {
     case 1:
-      return readRecords(reader, block, block.reports, [&] { return cat001For(reader); });
+      return readRecords(reader, end, block, block.reports, [&] { return cat001For(reader); });
     case 2:
-      return readRecords(reader, block, block.messages, cat002);
+      return readRecords(reader, end, block, block.messages, cat002);
     case 34:
-      return readRecords(reader, block, block.messages, cat034);
+      return readRecords(reader, end, block, block.messages, cat034);
     case 48:
-      return readRecords(reader, block, block.reports, cat048);
+      return readRecords(reader, end, block, block.reports, cat048);
     default:
       block.is_unknown = true;
       throw DecodeError(reader.offset() - 3, "category " + std::to_string(block.category) + " is not decoded");
   }
 }
 
-}  // namespace
-
-void decodeBlock(Bytes bytes, std::size_t offset, Block& block) {
+void decode(Bytes bytes, std::size_t offset, std::size_t most, Block& block) {
   block.category = 0;
   block.reports.clear();
   block.messages.clear();
@@ -57,10 +71,15 @@ void decodeBlock(Bytes bytes, std::size_t offset, Block& block) {
       throw DecodeError(offset, "block of CAT" + std::to_string(block.category) + " says " + std::to_string(length) +
                                     " bytes, " + std::to_string(bytes.size) + " are there");
     if (reader.remaining() == 0) throw DecodeError(offset, "a block without records");
-    readBody(reader, block);
+    readBody(reader, offset + most, block);
   } catch (const DecodeError& error) {
     block.fault = BlockFault{error.offset(), error.what()};
   }
 }
+
+}  // namespace
+
+void decodeBlock(Bytes bytes, std::size_t offset, Block& block) { decode(bytes, offset, bytes.size, block); }
+void decodeBeginning(Bytes bytes, std::size_t most, Block& block) { decode(bytes, 0, most, block); }
 
 }  // namespace asterix_bridge

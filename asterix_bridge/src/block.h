@@ -27,5 +27,7 @@ struct Block {
 /// Decodes one data block (category, length, records), which stands at `offset` in the whole. Never reads outside
 /// `bytes`. `block` is filled anew; pass the same one again to save allocations.
 void decodeBlock(Bytes bytes, std::size_t offset, Block& block);
+/// The same for the records that begin in the first `most` bytes.
+void decodeBeginning(Bytes bytes, std::size_t most, Block& block);
 
 }  // namespace asterix_bridge

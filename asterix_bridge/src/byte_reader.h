@@ -37,6 +37,7 @@ class ByteReader {
   std::uint8_t u8() { return *take(1).data; }
   std::uint16_t u16() { return static_cast<std::uint16_t>(bigEndian(take(2))); }
   std::uint32_t u24() { return static_cast<std::uint32_t>(bigEndian(take(3))); }
+  std::uint32_t u32() { return static_cast<std::uint32_t>(bigEndian(take(4))); }
   std::uint64_t u48() { return bigEndian(take(6)); }
   std::int8_t i8() { return static_cast<std::int8_t>(u8()); }
   std::int16_t i16() { return static_cast<std::int16_t>(u16()); }

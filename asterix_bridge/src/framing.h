@@ -16,6 +16,9 @@ enum class Framing {
   kTimed,     // before each block its length, these 6 bytes included, and the time of day [ms], 2 and 4 bytes
   kPcap,      // packets as tcpdump writes them, with microseconds or nanoseconds
   kPcapNg,    // packets as Wireshark writes them
+  kRff,       // a header of 128 bytes with dates; before each block 4 bytes time [ms] and 2 bytes length, LSB first
+  kFinal,     // IOSS final: before each block 8 bytes, their length with all around first, the time of day [1/100 s]
+              // last; behind it four times A5
 };
 std::string toText(Framing framing);
 
@@ -48,7 +51,10 @@ class BlockFinder {
   virtual std::optional<FramingStep> next() = 0;
 };
 
-/// The framing that a recording's bytes show. Throws std::runtime_error that says why when they show none.
+/// Whether a pcap file's header begins here.
+bool isPcap(Bytes bytes);
+/// The framing that a recording's bytes show, by up to a megabyte of them. Throws std::runtime_error that says why when
+/// they show none.
 Framing detectFraming(Bytes recording);
 std::unique_ptr<BlockFinder> findBlocks(Bytes recording, Framing framing);
 

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <ctime>
+
 #include <tws_core/random_test_helpers.h>
 
 #include "framing_test_helpers.h"
@@ -14,7 +16,7 @@ const Octets kNorth = blockOf(2, {0xD0, 0x08, 0x09, 0x01, 0x00, 0x00, 0x80});  /
 
 Octets repeat(const Octets& part, int times) {
   Octets all;
-  for (int i = 0; i < times; ++i) all = all + part;
+  for (int i = 0; i < times; ++i) all.insert(all.end(), part.begin(), part.end());
   return all;
 }
 
@@ -33,6 +35,73 @@ TEST(Framing, OfAnotherKindOfFileIsRefused) {
   const std::string text(5000, 'x');
   EXPECT_THROW(detectFraming(bytesOf(Octets(text.begin(), text.end()))), std::runtime_error);
   EXPECT_THROW(detectFraming(Bytes{}), std::runtime_error);
+}
+
+Octets rff(const Octets& blocks) {
+  const std::string dates = "01.01.2024 10:00:00 01.01.2024 10:10:00 ";
+  Octets header(dates.begin(), dates.end());
+  header.resize(128);
+  return header + blocks;
+}
+Octets rffBlock(const Octets& block, std::uint8_t ms) {
+  return Octets{0, 0, 0, ms, static_cast<std::uint8_t>(block.size()), 0} + block;
+}
+Octets finalBlock(const Octets& block, std::uint8_t hundredths) {
+  return Octets{0, static_cast<std::uint8_t>(block.size() + 12), 0, 1, 1, 0x36, 0xEE, hundredths} + block +
+         Octets(4, 0xA5);
+}
+
+TEST(Framing, OfOtherRecordersIsFoundWithItsTimes) {
+  const Octets final = repeat(finalBlock(kPlot, 0x81), 4);
+  EXPECT_EQ(detectFraming(bytesOf(final)), Framing::kFinal);
+  EXPECT_DOUBLE_EQ(*findAll(final, Framing::kFinal).blocks.at(3).time_of_day, 36000.01);
+  const Octets comsoft = rff(repeat(rffBlock(kPlot, 101), 4));
+  EXPECT_EQ(detectFraming(bytesOf(comsoft)), Framing::kRff);
+  EXPECT_DOUBLE_EQ(*findAll(comsoft, Framing::kRff).blocks.at(3).time, 1704103200.101);
+}
+
+// A recording that was cut anywhere, or begins with other radars' data, is a recording still.
+TEST(Framing, IsFoundWhateverStandsAtTheBeginning) {
+  const Octets other = blockOf(62, Octets(21, 0));
+  const Octets many = repeat(other, 60) + repeat(kPlot, 20);
+  ASSERT_EQ(detectFraming(bytesOf(many)), Framing::kRaw);
+  EXPECT_EQ(findAll(many, Framing::kRaw).blocks.size(), 80u);
+  Octets cut = repeat(kPlot, 20);
+  cut.erase(cut.begin(), cut.begin() + 5);
+  ASSERT_EQ(detectFraming(bytesOf(cut)), Framing::kRaw);
+  EXPECT_EQ(findAll(cut, Framing::kRaw).blocks.size(), 19u);
+  auto random = tws::seededGenerator();
+  Octets noise(997);
+  for (std::uint8_t& octet : noise) octet = static_cast<std::uint8_t>(random());
+  ASSERT_EQ(detectFraming(bytesOf(noise + repeat(kPlot, 20))), Framing::kRaw);
+}
+
+TEST(Framing, ThatIsNoneSaysWhatTheFileIs) {
+  const auto reason = [](const Octets& file) {
+    try {
+      detectFraming(bytesOf(file));
+      return std::string("none");
+    } catch (const std::runtime_error& error) {
+      return std::string(error.what());
+    }
+  };
+  const std::string hello = "Hello, this is not ASTERIX\n", bag = "#ROSBAG V2.0\n";
+  EXPECT_NE(reason(Octets(hello.begin(), hello.end())).find("text"), std::string::npos);
+  EXPECT_NE(reason(Octets(bag.begin(), bag.end())).find("bag"), std::string::npos);
+  EXPECT_EQ(reason({0x30, 0x00, 0x03}), "3 bytes are too few for an ASTERIX record");
+  EXPECT_NE(reason(Octets{0x1F, 0x8B} + Octets(98, 7)).find("compressed"), std::string::npos);
+}
+
+// A hostile or broken file must cost seconds a megabyte, not minutes a datagram: each byte may begin a block.
+TEST(RawFraming, IsLookedThroughInLinearTime) {
+  const Octets hostile[] = {Octets(1 << 19, 0x30), Octets(1 << 19, 0x01), repeat({0x30, 0xF0}, 1 << 18),
+                            repeat({0x30, 0x80, 0x01}, 1 << 17), repeat({0x01, 0xF1, 0x01}, 1 << 17)};
+  for (const Octets& file : hostile) {
+    const std::clock_t start = std::clock();
+    for (const auto framing : {Framing::kRaw, Framing::kRecorder}) findAll(file, framing);
+    const double took = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+    EXPECT_LT(took, 5.0) << int{file[0]} << ' ' << int{file[1]};
+  }
 }
 
 TEST(RawFraming, GivesEachBlockWithItsOffset) {

@@ -7,90 +7,21 @@
 namespace asterix_bridge {
 namespace {
 
-constexpr std::uint16_t kIpv4 = 0x0800;
-constexpr std::uint16_t kIpv6 = 0x86DD;
-constexpr std::uint8_t kUdp = 17;
-
-// Reads the link layer away; returns the type of what it carries.
-std::uint16_t readLink(ByteReader& reader, unsigned link) {
-  switch (link) {
-    case 0:  // null: four bytes in the order of the recording machine
-      reader.take(4);
-      break;
-    case 1: {
-      reader.take(12);
-      std::uint16_t type = reader.u16();
-      while (type == 0x8100 || type == 0x88A8) {  // VLAN
-        reader.take(2);
-        type = reader.u16();
-      }
-      return type;
-    }
-    case 113:
-      reader.take(14);
-      return reader.u16();
-    case 276: {
-      const std::uint16_t type = reader.u16();
-      reader.take(18);
-      return type;
-    }
-    case 12:
-    case 101:
-      break;
-    default:
-      throw DecodeError(0, "link type " + std::to_string(link) + " is not known");
-  }
-  ByteReader ahead = reader;
-  return ahead.u8() >> 4 == 6 ? kIpv6 : kIpv4;
-}
-
-// Reads the IP header away, and what pads the packet behind its end.
-ByteReader readIp(ByteReader& reader, std::uint16_t type) {
-  std::uint8_t protocol = 0;
-  std::size_t rest = 0;
-  if (type == kIpv4) {
-    const std::size_t header = std::size_t{4} * (reader.u8() & 15u);
-    reader.take(1);
-    const std::size_t total = reader.u16();
-    reader.take(2);
-    if (reader.u16() & 0x3FFFu) throw DecodeError(reader.offset(), "a fragment of an IP packet");
-    reader.take(1);
-    protocol = reader.u8();
-    reader.take(header < 10 ? reader.remaining() + 1 : header - 10);
-    rest = total == 0 ? reader.remaining() : total - std::min(total, header);  // 0: left to the network card
-  } else if (type == kIpv6) {
-    reader.take(4);
-    rest = reader.u16();
-    protocol = reader.u8();
-    reader.take(33);
-  } else {
-    throw DecodeError(reader.offset(), "no IP packet");
-  }
-  if (protocol != kUdp) throw DecodeError(reader.offset(), "no UDP datagram");
-  const std::size_t offset = reader.offset();
-  return ByteReader(reader.take(rest), offset);
-}
+constexpr std::size_t kPcapHeader = 24;
 
 }  // namespace
 
-Bytes udpPayload(Bytes packet, unsigned link) {
-  ByteReader reader(packet);
-  const std::uint16_t type = readLink(reader, link);
-  ByteReader udp = readIp(reader, type);
-  udp.take(4);
-  const std::size_t length = udp.u16();
-  udp.take(2);
-  if (length < 8) throw DecodeError(udp.offset(), "UDP length " + std::to_string(length));
-  return udp.take(length - 8);
-}
-
 PacketFile::PacketFile(Bytes recording, Framing framing) : recording_(recording), framing_(framing) {
   if (framing != Framing::kPcap) return;
-  if (recording.size < 24) throw std::runtime_error("the header of the pcap file is cut");
-  is_swapped_ = recording.data[0] == 0xD4 || recording.data[0] == 0x4D;
-  const std::uint32_t magic = u32(0);
-  interfaces_.push_back({u32(20) & 0xFFFFu, magic == 0xA1B23C4D ? 1e-9 : 1e-6});
-  position_ = 24;
+  if (recording.size < kPcapHeader) throw std::runtime_error("the header of the pcap file is cut");
+  readPcapHeader();
+}
+
+void PacketFile::readPcapHeader() {
+  is_swapped_ = recording_.data[position_] == 0xD4 || recording_.data[position_] == 0x4D;
+  const std::uint32_t magic = u32(position_);
+  interfaces_.assign(1, {u32(position_ + 20) & 0xFFFFu, magic == 0xA1B23C4D ? 1e-9 : 1e-6});
+  position_ += kPcapHeader;
 }
 
 std::uint16_t PacketFile::u16(std::size_t position) const {
@@ -128,8 +59,12 @@ void PacketFile::fail(const std::string& reason) {
   position_ = recording_.size;
 }
 
+// Files that were put one behind the other by `cat` have a header in the middle.
 std::optional<PacketFile::Packet> PacketFile::nextPcap() {
+  const Bytes rest{recording_.data + position_, recording_.size - position_};
+  if (rest.size >= kPcapHeader && isPcap(rest)) readPcapHeader();
   const std::size_t left = recording_.size - position_;
+  if (left == 0) return std::nullopt;
   const std::size_t length = left < 16 ? left : u32(position_ + 8);
   if (left < 16 || length > left - 16) {
     fail("packet cut by the end of the file");
@@ -164,14 +99,14 @@ std::optional<PacketFile::Packet> PacketFile::nextPcapNg() {
 
 std::optional<PacketFile::Packet> PacketFile::readPcapNgBlock(std::uint32_t type, std::size_t start,
                                                               std::size_t length) {
-  constexpr std::uint32_t kInterface = 1, kSimple = 3, kEnhanced = 6;
+  constexpr std::uint32_t kInterface = 1, kOld = 2, kSimple = 3, kEnhanced = 6;
   if (type == kInterface && length >= 20) addInterface(start, length);
   if (type == kSimple && length >= 16 && !interfaces_.empty()) {
     const std::size_t size = std::min<std::size_t>(u32(start + 8), length - 16);
     return Packet{{recording_.data + start + 12, size}, start + 12, interfaces_[0].link, std::nullopt};
   }
-  if (type != kEnhanced || length < 32) return std::nullopt;
-  const std::uint32_t interface = u32(start + 8);
+  if ((type != kEnhanced && type != kOld) || length < 32) return std::nullopt;
+  const std::uint32_t interface = type == kOld ? u16(start + 8) : u32(start + 8);  // the old one counts drops behind
   const std::size_t size = u32(start + 20);
   if (interface >= interfaces_.size() || size > length - 32) return std::nullopt;
   const double ticks = u32(start + 12) * 4294967296.0 + u32(start + 16);
@@ -198,9 +133,11 @@ void PacketFile::addInterface(std::size_t start, std::size_t length) {
 
 void PacketFile::add(const Packet& packet) {
   try {
-    const Bytes payload = udpPayload(packet.bytes, packet.link);
-    const auto offset = packet.offset + static_cast<std::size_t>(payload.data - packet.bytes.data);
-    for (FramingStep& step : blocksOfDatagram(payload, offset)) {
+    const std::optional<Bytes> payload = datagrams_.payloadOf(packet.bytes, packet.link);
+    if (!payload) return;
+    const bool is_inside = payload->data >= packet.bytes.data && payload->data <= packet.bytes.data + packet.bytes.size;
+    const auto ahead = is_inside ? static_cast<std::size_t>(payload->data - packet.bytes.data) : 0;
+    for (FramingStep& step : blocksOfDatagram(*payload, packet.offset + ahead)) {
       if (step.block) step.block->time = packet.time;
       steps_.push_back(step);
     }

@@ -2,14 +2,10 @@
 
 #include <deque>
 
+#include "datagrams.h"
 #include "framing.h"
 
 namespace asterix_bridge {
-
-/// The payload of a packet's UDP datagram; throws DecodeError that says why there is none. `link` is the link-layer
-/// type of pcap files: Ethernet (1, with or without VLAN), null (0), raw IP (12, 101), Linux cooked (113, 276). IPv4
-/// and IPv6 without extension headers; fragments are refused.
-Bytes udpPayload(Bytes packet, unsigned link);
 
 /// The blocks of the UDP datagrams in a file of packets, pcap or pcapng.
 class PacketFile : public BlockFinder {
@@ -30,6 +26,7 @@ class PacketFile : public BlockFinder {
     std::optional<double> time;  // since 1970 [s]
   };
 
+  void readPcapHeader();
   std::uint32_t u32(std::size_t position) const;
   std::uint16_t u16(std::size_t position) const;
   std::optional<Packet> nextPacket();
@@ -45,6 +42,7 @@ class PacketFile : public BlockFinder {
   bool is_swapped_ = false;  // least significant byte first
   std::size_t position_ = 0;
   std::vector<Interface> interfaces_;
+  Datagrams datagrams_;
   std::deque<FramingStep> steps_;
 };
 

@@ -5,62 +5,10 @@
 
 #include <tws_core/random_test_helpers.h>
 
-#include "framing_test_helpers.h"
+#include "packet_test_helpers.h"
 
 namespace asterix_bridge {
 namespace {
-
-const Octets kPlot = blockOf(1, plot001());  // 15 bytes
-
-Octets big16(std::size_t value) { return {static_cast<std::uint8_t>(value >> 8), static_cast<std::uint8_t>(value)}; }
-Octets little32(std::uint32_t value) {
-  return {static_cast<std::uint8_t>(value), static_cast<std::uint8_t>(value >> 8),
-          static_cast<std::uint8_t>(value >> 16), static_cast<std::uint8_t>(value >> 24)};
-}
-Octets big32(std::uint32_t value) { return big16(value >> 16) + big16(value & 0xFFFF); }
-
-Octets udp(const Octets& payload) { return big16(8600) + big16(8600) + big16(payload.size() + 8) + big16(0) + payload; }
-Octets ipv4(const Octets& udp, std::uint8_t protocol = 17, std::size_t flags = 0x4000) {
-  return Octets{0x45, 0} + big16(udp.size() + 20) + big16(0) + big16(flags) + Octets{64, protocol, 0, 0} +
-         Octets{10, 0, 0, 1, 239, 1, 1, 1} + udp;
-}
-Octets ethernet(const Octets& ip, std::size_t type = 0x0800) { return Octets(12, 0) + big16(type) + ip; }
-
-Octets payloadOf(const Octets& packet, unsigned link) {
-  const Bytes bytes = udpPayload(bytesOf(packet), link);
-  return Octets(bytes.data, bytes.data + bytes.size);
-}
-
-TEST(UdpPayload, IsFoundBehindEveryLinkLayer) {
-  const Octets ip = ipv4(udp(kPlot));
-  EXPECT_EQ(payloadOf(ethernet(ip), 1), kPlot);
-  EXPECT_EQ(payloadOf(ethernet(ip) + Octets(11, 0), 1), kPlot);  // padded to the least length of a frame
-  EXPECT_EQ(payloadOf(ethernet(big16(5) + big16(0x0800) + ip, 0x8100), 1), kPlot);
-  EXPECT_EQ(payloadOf(Octets{2, 0, 0, 0} + ip, 0), kPlot);
-  EXPECT_EQ(payloadOf(ip, 101), kPlot);
-  EXPECT_EQ(payloadOf(Octets(14, 0) + big16(0x0800) + ip, 113), kPlot);
-  EXPECT_EQ(payloadOf(big16(0x0800) + Octets(18, 0) + ip, 276), kPlot);
-  const Octets ipv6 = Octets{0x60, 0, 0, 0} + big16(23) + Octets{17, 64} + Octets(32, 1) + udp(kPlot);
-  EXPECT_EQ(payloadOf(ethernet(ipv6, 0x86DD), 1), kPlot);
-}
-
-TEST(UdpPayload, IsRefusedWithTheReason) {
-  const auto reason = [](const Octets& packet, unsigned link) {
-    try {
-      payloadOf(packet, link);
-      return std::string("none");
-    } catch (const DecodeError& error) {
-      return std::string(error.what());
-    }
-  };
-  EXPECT_EQ(reason(ethernet(ipv4(udp(kPlot), 6)), 1), "no UDP datagram");
-  EXPECT_EQ(reason(ethernet(ipv4(udp(kPlot), 17, 0x2000)), 1), "a fragment of an IP packet");
-  EXPECT_EQ(reason(ethernet(Octets(28, 0), 0x0806), 1), "no IP packet");
-  EXPECT_EQ(reason(ethernet(ipv4(udp(kPlot))), 147), "link type 147 is not known");
-  Octets cut = ethernet(ipv4(udp(kPlot)));
-  cut.resize(50);
-  EXPECT_EQ(reason(cut, 1), "needs 23 bytes, 16 are left");
-}
 
 Octets pcapPacket(const Octets& packet, std::uint32_t seconds, std::uint32_t fraction) {
   const auto size = static_cast<std::uint32_t>(packet.size());
@@ -127,6 +75,26 @@ TEST(PcapNg, GivesBlocksWithThePacketsTimeInTheInterfacesUnit) {
   EXPECT_DOUBLE_EQ(*found.blocks[0].time, 2.5);
   EXPECT_DOUBLE_EQ(*found.blocks[1].time, 3.5);
   EXPECT_FALSE(found.blocks[2].time);
+}
+
+// `cat a.pcap b.pcap` is what people do with two files of one recording.
+TEST(Pcap, ReadsASecondFileBehindTheFirst) {
+  const Octets file = kPcapHeader + pcapPacket(ethernet(ipv4(udp(kPlot))), 1, 0);
+  const Found found = findAll(file + file, Framing::kPcap);
+  EXPECT_TRUE(found.faults.empty());
+  EXPECT_EQ(found.blocks.size(), 2u);
+}
+
+TEST(PcapNg, ReadsPacketsOfItsFirstYears) {
+  const Octets packet = ethernet(ipv4(udp(kPlot)));
+  const auto size = static_cast<std::uint32_t>(packet.size());
+  const Octets file =
+      ngBlock(0x0A0D0D0A, little32(0x1A2B3C4D) + Octets{1, 0, 0, 0} + Octets(8, 0xFF)) +
+      ngBlock(1, Octets{1, 0, 0, 0} + little32(65535)) +
+      ngBlock(2, Octets{0, 0, 7, 0} + little32(0) + little32(2500000) + little32(size) + little32(size) + packet);
+  const Found found = findAll(file, Framing::kPcapNg);
+  ASSERT_EQ(found.blocks.size(), 1u);
+  EXPECT_DOUBLE_EQ(*found.blocks[0].time, 2.5);
 }
 
 // A broken file must end in a report, not in a crash.

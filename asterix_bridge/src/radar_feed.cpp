@@ -27,6 +27,7 @@ void RadarFeed::advance(double now) {
 }
 
 void RadarFeed::finish() {
+  stream_.finish();
   for (auto& [radar, cutter] : cutters_) cutter.finish();
 }
 

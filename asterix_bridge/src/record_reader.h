@@ -27,13 +27,18 @@ class RecordReader {
   }
 
  private:
+  // So long no item of a radar is: bytes that say so are something else.
+  static constexpr std::size_t kMostOctets = 128;
+
   // Octets up to the first one whose last bit is not set.
-  Bytes flags() {
+  std::size_t extent() const {
     ByteReader ahead = reader_;
     std::size_t count = 1;
-    while (ahead.u8() & 1u) ++count;
-    return reader_.take(count);
+    while (ahead.u8() & 1u)
+      if (++count > kMostOctets) throw DecodeError(reader_.offset(), "does not end within 128 octets");
+    return count;
   }
+  Bytes flags() { return reader_.take(extent()); }
 
   void readItem(std::size_t place) {
     if (place >= uap_.count || uap_.items[place].format == Format::kSpare)
@@ -58,11 +63,8 @@ class RecordReader {
   std::size_t lengthOf(const Item<Record>& item) const {
     ByteReader ahead = reader_;
     switch (item.format) {
-      case Format::kExtended: {
-        std::size_t length = 1;
-        while (ahead.u8() & 1u) ++length;
-        return length;
-      }
+      case Format::kExtended:
+        return extent();
       case Format::kRepetitive:
         return 1u + static_cast<std::size_t>(ahead.u8()) * item.length;
       case Format::kExplicit: {
@@ -87,6 +89,7 @@ class RecordReader {
 
   void readRandom() {
     const unsigned count = reader_.u8();
+    if (count > uap_.count) throw DecodeError(reader_.offset(), std::to_string(count) + " fields in random order");
     for (unsigned i = 0; i < count; ++i) {
       const std::size_t number = reader_.u8();
       if (number == 0 || (number <= uap_.count && uap_.items[number - 1].format == Format::kRandom))

@@ -2,6 +2,7 @@
 
 #include <sys/stat.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <stdexcept>
@@ -10,6 +11,8 @@ namespace asterix_bridge {
 namespace {
 
 constexpr double kDay = 86400.0;
+constexpr std::size_t kMostUntimed = 1000;
+constexpr std::size_t kMostSources = 1000;
 
 // The first block that has a time, and that time: since 1970, or of the day [s].
 struct FirstTime {
@@ -81,19 +84,52 @@ void RecordStream::add(const FramedBlock& framed) {
   if (framed.time_of_day) clock_.receiveAtTimeOfDay(*framed.time_of_day);
   decodeBlock(framed.bytes, framed.offset, block_);
   records_ += block_.reports.size() + block_.messages.size();
-  for (const TargetReport& report : block_.reports) {
-    const double time =
-        report.is_time_truncated ? clock_.fullFromTruncated(report.time_of_day) : clock_.full(report.time_of_day);
-    if (report.source) events_.report(report, time);
-    if (!report.source) events_.fault(FaultKind::kNoSource, {framed.offset, "a target report without SAC and SIC"});
-  }
-  for (const ServiceMessage& message : block_.messages) {
-    const double time = clock_.full(message.time_of_day);
-    if (message.source) events_.message(message, time);
-    if (!message.source) events_.fault(FaultKind::kNoSource, {framed.offset, "a service message without SAC and SIC"});
-  }
+  for (TargetReport& report : block_.reports) add(report, framed);
+  for (const ServiceMessage& message : block_.messages) add(message, framed.offset);
   if (block_.fault)
     events_.fault(block_.is_unknown ? FaultKind::kUnknownCategory : FaultKind::kBadRecord, *block_.fault);
+}
+
+void RecordStream::add(TargetReport& report, const FramedBlock& framed) {
+  if (!report.source)
+    return events_.fault(FaultKind::kNoSource, {framed.offset, "a target report without SAC and SIC"});
+  if (std::isnan(report.time_of_day)) return addUntimed(report, framed);
+  const double time = report.time_of_day;
+  events_.report(report, report.is_time_truncated ? clock_.fullFromTruncated(time) : clock_.full(time));
+}
+
+void RecordStream::addUntimed(TargetReport& report, const FramedBlock& framed) {
+  const auto mark = marks_.find(*report.source);
+  report.time_from = mark != marks_.end() ? TimeFrom::kMark : TimeFrom::kReception;
+  if (mark != marks_.end()) return events_.report(report, mark->second);
+  if (framed.time || framed.time_of_day) return events_.report(report, clock_.now());
+  report.time_from = TimeFrom::kMark;
+  untimed_.push_back(report);
+  if (untimed_.size() <= kMostUntimed) return;
+  events_.report(untimed_.front(), std::nan(""));
+  untimed_.pop_front();
+}
+
+void RecordStream::add(const ServiceMessage& message, std::size_t offset) {
+  const double time = clock_.full(message.time_of_day);
+  if (!message.source) return events_.fault(FaultKind::kNoSource, {offset, "a service message without SAC and SIC"});
+  events_.message(message, time);
+  if (!std::isnan(time)) release(*message.source, time);
+}
+
+void RecordStream::release(SourceId source, double mark) {
+  if (marks_.size() < kMostSources || marks_.count(source) > 0) marks_[source] = mark;
+  const auto isOf = [&](const TargetReport& report) {
+    return !(*report.source < source) && !(source < *report.source);
+  };
+  for (const TargetReport& report : untimed_)
+    if (isOf(report)) events_.report(report, mark);
+  untimed_.erase(std::remove_if(untimed_.begin(), untimed_.end(), isOf), untimed_.end());
+}
+
+void RecordStream::finish() {
+  for (const TargetReport& report : untimed_) events_.report(report, std::nan(""));
+  untimed_.clear();
 }
 
 DataClock clockFor(const Recording& recording, std::optional<double> date) {
@@ -124,11 +160,25 @@ Contents contentsOf(const Recording& recording, const DataClock& clock) {
     if (!radar.position) radar.position = message.position;
     note(time);
   };
-  events.fault = [&](FaultKind, const BlockFault&) { ++contents.faults; };
+  events.fault = [&](FaultKind, const BlockFault& fault) {
+    constexpr std::size_t kMostReasons = 100;
+    ++contents.faults;
+    if (contents.reasons.size() < kMostReasons || contents.reasons.count(fault.reason) > 0)
+      ++contents.reasons[fault.reason];
+  };
   RecordStream stream(clock, std::move(events));
   const std::unique_ptr<BlockFinder> blocks = recording.blocks();
   while (const auto step = blocks->next()) stream.add(*step);
+  stream.finish();
   return contents;
+}
+
+std::string whyEmpty(const Contents& contents) {
+  if (contents.reasons.empty()) return "no record of a radar";
+  const auto rarer = [](const auto& a, const auto& b) { return a.second < b.second; };
+  const auto most = std::max_element(contents.reasons.begin(), contents.reasons.end(), rarer);
+  return "no record of a radar, but " + std::to_string(most->second) + " times: " + most->first +
+         " (CAT001, 002, 034 and 048 are decoded)";
 }
 
 }  // namespace asterix_bridge

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <functional>
 #include <map>
 #include <memory>
@@ -52,16 +53,24 @@ class RecordStream {
   RecordStream(DataClock clock, Events events) : clock_(clock), events_(std::move(events)) {}
 
   void add(const FramingStep& step);
+  /// There will be no more: reports that wait for a mark come out without a time.
+  void finish();
   const DataClock& clock() const { return clock_; }
   std::uint64_t blocks() const { return blocks_; }
   std::uint64_t records() const { return records_; }
 
  private:
   void add(const FramedBlock& framed);
+  void add(TargetReport& report, const FramedBlock& framed);
+  void addUntimed(TargetReport& report, const FramedBlock& framed);
+  void add(const ServiceMessage& message, std::size_t offset);
+  void release(SourceId source, double mark);
 
   DataClock clock_;
   Events events_;
   Block block_;
+  std::map<SourceId, double> marks_;  // the time of each radar's latest, at most kMostSources
+  std::deque<TargetReport> untimed_;  // wait for the first mark of their radar, at most kMostUntimed
   std::uint64_t blocks_ = 0;
   std::uint64_t records_ = 0;
 };
@@ -79,6 +88,7 @@ struct Contents {
   double start = kUnknown;  // time of the earliest and latest record since 1970 [s]
   double end = kUnknown;
   std::uint64_t faults = 0;
+  std::map<std::string, std::uint64_t> reasons;  // of faults, the first of them
 };
 
 /// A clock for the recording's first record. `date`: midnight of the day on which that was, since 1970 [s]. Without it
@@ -86,5 +96,7 @@ struct Contents {
 /// that time of day.
 DataClock clockFor(const Recording& recording, std::optional<double> date);
 Contents contentsOf(const Recording& recording, const DataClock& clock);
+/// What is in a recording in place of records that are decoded: "540 times: link type 147 is not known".
+std::string whyEmpty(const Contents& contents);
 
 }  // namespace asterix_bridge

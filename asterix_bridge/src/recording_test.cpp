@@ -122,13 +122,48 @@ TEST(RadarFeed, CountsWhatItLeavesOutAndWhy) {
   add(blockOf(1, {0xE0, 8, 9, 0x20, 1, 0, 1, 0}));  // a plot without time
   add(blockOf(48, {0x20, 0x20}));                   // a plot without source
   add(blockOf(48, {0x01, 0x01, 0x01, 0x01, 0x02}));
+  feed.finish();
   EXPECT_EQ(left_out, (std::map<std::string, int>{{"reports without detection", 1}, {"test targets", 1}}));
   ASSERT_EQ(faults.size(), 4u);
   EXPECT_EQ(faults[0], "reports without measured position: from radar_8_9");
-  EXPECT_EQ(faults[1], "reports without time: from radar_8_9");
-  EXPECT_EQ(faults[2], "records without a source: 10.0.0.1:8600, byte 100: a target report without SAC and SIC");
-  EXPECT_EQ(faults[3].find("bad blocks: 10.0.0.1:8600, byte 108: no item has the field reference number"), 0u)
-      << faults[3];
+  EXPECT_EQ(faults[1], "records without a source: 10.0.0.1:8600, byte 100: a target report without SAC and SIC");
+  EXPECT_EQ(faults[2].find("bad blocks: 10.0.0.1:8600, byte 108: no item has the field reference number"), 0u)
+      << faults[2];
+  EXPECT_EQ(faults[3], "reports without time: from radar_8_9");
+}
+
+/// What comes out of blocks: each report's radar and time.
+std::vector<std::pair<SourceId, double>> reportsIn(const std::vector<FramedBlock>& blocks) {
+  std::vector<std::pair<SourceId, double>> reports;
+  RecordStream::Events events;
+  events.report = [&](const TargetReport& report, double time) { reports.emplace_back(*report.source, time); };
+  events.message = [](const ServiceMessage&, double) {};
+  events.fault = [](FaultKind, const BlockFault&) { ADD_FAILURE(); };
+  RecordStream stream(DataClock(kSomeDay * kDay), events);
+  for (const FramedBlock& block : blocks) stream.add(FramingStep{block, std::nullopt});
+  stream.finish();
+  return reports;
+}
+FramedBlock framed(const Octets& block) { return {bytesOf(block), 0, std::nullopt, std::nullopt}; }
+
+// Radars that say source and time once a block, or once a sector, lose all plots otherwise.
+TEST(RecordStream, LendsARecordTheSourceAndTimeThatItLacks) {
+  const Octets untimed{0xF0, 0x08, 0x09, 0x20, 0x20, 0x00, 0x40, 0x00, 0x02, 0x9C};
+  const Octets sourceless{0x70, 0x20, 0x20, 0x00, 0x40, 0x00, 0x02, 0x9C};
+  const Octets block = blockOf(1, untimed + sourceless);
+  const Octets mark = north(100.0), later = north(104.0);
+  const auto waited = reportsIn({framed(block), framed(mark), framed(later), framed(block)});
+  ASSERT_EQ(waited.size(), 4u);
+  EXPECT_EQ(waited[1].first.sic, 9);
+  EXPECT_DOUBLE_EQ(waited[1].second, kSomeDay * kDay + 100.0);
+  EXPECT_DOUBLE_EQ(waited[2].second, kSomeDay * kDay + 104.0);
+  FramedBlock received = framed(block);
+  received.time = 5000.0;
+  EXPECT_DOUBLE_EQ(reportsIn({received}).at(0).second, 5000.0);
+  const Octets timed_first = blockOf(1, plot001() + sourceless);
+  const auto lent = reportsIn({framed(mark), framed(timed_first)});
+  EXPECT_DOUBLE_EQ(lent.at(1).second, lent.at(0).second);
+  EXPECT_TRUE(std::isnan(reportsIn({framed(block)}).at(0).second));
 }
 
 }  // namespace

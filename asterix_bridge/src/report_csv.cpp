@@ -83,6 +83,7 @@ void PlotCsv::add(const TargetReport& report, double time) {
     return;
   }
   if (!start_) start_ = time;
+  ++count_;
   Line(out_) << number(time - *start_, "%.4f") << radarName(*report.source) << std::to_string(scanOf(report))
              << number(report.range, "%.1f") << number(tws::degrees(report.azimuth), "%.4f") << octal(report.mode_3a)
              << exact(report.flight_level.level_100ft) << hex(report.aircraft_address) << report.callsign.data()

@@ -18,6 +18,8 @@ class PlotCsv {
   /// A report without measured position or time is left out.
   void add(const TargetReport& report, double time);
   std::uint64_t leftOut() const { return left_out_; }
+  /// Plots written.
+  std::uint64_t count() const { return count_; }
 
  private:
   // Counts turns by the azimuth from plot to plot; a turn without plots over half of it is not seen.
@@ -32,6 +34,7 @@ class PlotCsv {
   std::optional<double> start_;
   std::map<SourceId, Turns> turns_;
   std::uint64_t left_out_ = 0;
+  std::uint64_t count_ = 0;
 };
 
 /// Writes all fields of every record, one line each, in the units of the radar; what was not sent is empty.

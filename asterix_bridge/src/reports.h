@@ -45,6 +45,10 @@ struct PlotCharacteristics {
   double primary_less_ssr_azimuth = kUnknown;  // [rad], ±2.8°; the extremes stand for more
 };
 
+/// Where a report's time is from. Reports without a time of day of their own inherit one: of the report before them in
+/// their block, else of their radar's latest mark, else that of reception.
+enum class TimeFrom : std::uint8_t { kReport, kMark, kReception };
+
 /// One plot or track of a radar: a record of CAT001 or CAT048. Unknown numbers are NaN.
 struct TargetReport {
   std::uint8_t category = 0;
@@ -59,8 +63,9 @@ struct TargetReport {
   bool special_identification = false;  // SPI
   bool fixed_transponder = false;       // RAB: a site monitor
 
-  double time_of_day = kUnknown;         // UTC [s]; modulo 512 s if truncated
-  bool is_time_truncated = false;        // I001/141
+  double time_of_day = kUnknown;   // UTC [s]; modulo 512 s if truncated
+  bool is_time_truncated = false;  // I001/141
+  TimeFrom time_from = TimeFrom::kReport;
   double range = kUnknown;               // slant range [m]
   double azimuth = kUnknown;             // clockwise from north [rad], [0, 2π)
   double x = kUnknown;                   // east [m], calculated by the radar

@@ -156,7 +156,7 @@ class AsterixTest(unittest.TestCase):
                                f"_file:={os.path.abspath(__file__)}"],
                               stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, timeout=30)
         self.assertEqual(done.returncode, 1)
-        self.assertIn("asterix_rostest.py: this is no ASTERIX", done.stdout)
+        self.assertIn("asterix_rostest.py: this is text, no ASTERIX", done.stdout)
 
 
 if __name__ == "__main__":
