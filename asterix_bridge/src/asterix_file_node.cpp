@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "asterix_params.h"
 #include "radar_outlet.h"
@@ -23,6 +24,16 @@ std::vector<SourceId> busiestFirst(const Contents& contents) {
   return radars;
 }
 
+// Those of the list, and the busiest of the others up to a bound, the busiest first.
+std::vector<SourceId> chosenRadars(const Contents& contents, const RadarFeed::Options& options) {
+  std::vector<SourceId> chosen;
+  std::size_t others = 0;
+  for (const SourceId radar : busiestFirst(contents))
+    if (options.listed.count(radar) > 0 || (!options.only_listed && others++ < options.most_radars))
+      chosen.push_back(radar);
+  return chosen;
+}
+
 }  // namespace
 
 class AsterixFileNode::Impl {
@@ -34,9 +45,11 @@ class AsterixFileNode::Impl {
         clock_(clockFor(recording_, params_.date)),
         contents_(contentsOf(recording_, clock_)),
         outlet_(bus, params_),
-        feed_(clock_, params_.feed, events()),
+        radars_(chosenRadars(contents_, params_.feed)),
+        feed_(clock_, feedOptions(), events()),
         blocks_(recording_.blocks()) {
     if (contents_.radars.empty()) throw std::runtime_error(params_.file + ": " + whyEmpty(contents_));
+    if (radars_.empty()) throw std::runtime_error(params_.file + ": none of the parameter's radars is in it");
     openRadars();
     fill();
     if (sectors_.empty()) throw std::runtime_error(params_.file + ": no sector came out: " + problems());
@@ -66,13 +79,20 @@ class AsterixFileNode::Impl {
   static constexpr std::size_t kMostProblems = 8;
   static constexpr double kTail = 1.0;  // the sector of the last report closes after it [s]
 
-  /// All of the file's radars: the busiest first, for it is the main one; then those whose place is known.
+  RadarFeed::Options feedOptions() const {
+    RadarFeed::Options options = params_.feed;
+    options.listed = {radars_.begin(), radars_.end()};
+    options.only_listed = true;
+    return options;
+  }
+
+  /// The busiest first, for it is the main one; then those whose place is known.
   void openRadars() {
-    outlet_.open(busiestFirst(contents_).front());
-    for (const auto& [radar, contents] : contents_.radars) outlet_.open(radar);
-    for (const auto& [radar, contents] : contents_.radars)
-      if (contents.position) outlet_.place(radar, *contents.position);
-    for (const auto& [radar, contents] : contents_.radars) outlet_.placeAtOrigin(radar);
+    for (const SourceId radar : radars_) outlet_.open(radar);
+    const std::set<SourceId> in_order(radars_.begin(), radars_.end());
+    for (const SourceId radar : in_order)
+      if (const auto& position = contents_.radars.at(radar).position) outlet_.place(radar, *position);
+    for (const SourceId radar : in_order) outlet_.placeAtOrigin(radar);
   }
 
   RadarFeed::Events events() {
@@ -115,6 +135,7 @@ class AsterixFileNode::Impl {
   const DataClock clock_;
   const Contents contents_;
   RadarOutlet outlet_;
+  const std::vector<SourceId> radars_;
   std::multimap<std::pair<double, SourceId>, CutSector> sectors_;  // by the time at which they close
   RadarFeed feed_;
   std::unique_ptr<BlockFinder> blocks_;

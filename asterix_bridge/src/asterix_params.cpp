@@ -1,8 +1,10 @@
 #include "asterix_params.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <ctime>
+#include <iterator>
 #include <limits>
 #include <sstream>
 #include <stdexcept>
@@ -68,6 +70,16 @@ void readCommon(ParameterReader& reader, AsterixParams& params) {
   params.origin = readPosition(origin);
   origin.done();
   for (ParameterReader& radar : reader.list("radars")) readRadar(radar, params);
+  for (const auto& [radar, setting] : params.radars) params.feed.listed.insert(radar);
+  reader.flag("only_listed_radars", params.feed.only_listed);
+  reader.integer("most_radars", params.feed.most_radars, 1, 1000);
+  if (params.feed.only_listed && params.radars.empty()) reader.fail("only_listed_radars", "needs a list of radars");
+}
+
+// The words between spaces.
+std::vector<std::string> wordsOf(const std::string& text) {
+  std::istringstream stream(text);
+  return {std::istream_iterator<std::string>(stream), std::istream_iterator<std::string>()};
 }
 
 }  // namespace
@@ -114,6 +126,8 @@ AsterixParams readFileParams(ParameterReader reader) {
   reader.text("date", date);
   readCommon(reader, params);
   reader.done();
+  // A file can be read ahead: what comes late in it is cut by its time all the same, be it half of what is read ahead.
+  params.feed.sectors.settle = std::max(params.feed.sectors.settle, params.lookahead / 2.0);
   if (params.file.empty()) reader.fail("file", "is empty; name a recording (of a live feed: udp)");
   try {
     if (!date.empty()) params.date = parseDate(date);
@@ -125,15 +139,16 @@ AsterixParams readFileParams(ParameterReader reader) {
 
 AsterixParams readUdpParams(ParameterReader reader) {
   AsterixParams params;
-  std::string addresses;
+  std::string addresses, senders;
   reader.require("udp");
   reader.text("udp", addresses);
+  reader.text("senders", senders);
   readCommon(reader, params);
   reader.done();
   params.feed.sectors.steady = true;  // What comes in bursts reaches its listeners topic by topic, out of step.
-  std::istringstream words(addresses);
+  for (const std::string& sender : wordsOf(senders)) params.senders.insert(sender);
   try {
-    for (std::string word; words >> word;) params.udp.push_back(parseUdpAddress(word));
+    for (const std::string& word : wordsOf(addresses)) params.udp.push_back(parseUdpAddress(word));
   } catch (const std::invalid_argument& error) {
     reader.fail("udp", error.what());
   }

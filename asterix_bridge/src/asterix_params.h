@@ -2,6 +2,7 @@
 
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -37,7 +38,8 @@ struct AsterixParams {
   std::string frame = "map";
   std::optional<tws::Geodetic> origin;  // of the map
   std::map<SourceId, RadarSetting> radars;
-  std::string main_radar;  // how a file's busiest radar, or the first one heard, is called; empty: as any other
+  std::string main_radar;         // how a file's busiest radar, or the first one heard, is called; empty: as any other
+  std::set<std::string> senders;  // addresses whose datagrams count; empty: all
   bool primary_only = false;
   double lookahead = 60.0;  // how far the file is read ahead [s]
   RadarFeed::Options feed;

@@ -2,9 +2,7 @@
 
 #include <tws_runtime/conversions.h>
 
-#include <algorithm>
-#include <limits>
-
+#include "feed_time.h"
 #include "radar_outlet.h"
 #include "udp_receiver.h"
 
@@ -12,28 +10,6 @@ namespace asterix_bridge {
 namespace {
 
 double wallTime() { return ros::WallTime::now().toSec(); }
-
-/// Data time as the feed shows it, going on with the wall clock between its data: the greatest lead of the data over
-/// the wall clock in the last minute or two.
-class FeedTime {
- public:
-  void hear(double data, double wall) {
-    constexpr double kMinute = 60.0, kNewRun = 10.0;
-    const double lead = data - wall;
-    if (wall - since_ > kMinute || lead < lead_ - kNewRun) {
-      last_lead_ = lead < lead_ - kNewRun ? lead : lead_;
-      lead_ = lead;
-      since_ = wall;
-    }
-    lead_ = std::max(lead_, lead);
-  }
-  double at(double wall) const { return wall + std::max(lead_, last_lead_); }
-
- private:
-  double lead_ = -std::numeric_limits<double>::infinity();
-  double last_lead_ = -std::numeric_limits<double>::infinity();
-  double since_ = 0.0;
-};
 
 }  // namespace
 
@@ -59,10 +35,15 @@ class AsterixUdpNode::Impl {
 
  private:
   void hear(Bytes datagram, const std::string& sender) {
+    if (!params_.senders.empty() && params_.senders.count(sender.substr(0, sender.rfind(':'))) == 0)
+      return bus_.counter("datagrams of other senders").add("from " + sender + "; see parameter senders");
     bus_.counter("datagrams").add();
     const std::uint64_t before = feed_.records();
     for (const FramingStep& step : blocksOfDatagram(datagram)) feed_.add(step, sender);
-    if (feed_.records() > before) time_.hear(feed_.now(), wallTime());
+    if (feed_.records() == before) return;
+    const double wall = wallTime();
+    time_.add(feed_.now(), wall);
+    feed_.advance(time_.at(wall));
   }
 
   RadarFeed::Events events() {

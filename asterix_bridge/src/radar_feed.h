@@ -2,6 +2,7 @@
 
 #include <map>
 #include <memory>
+#include <set>
 
 #include "recording.h"
 #include "sector_cutter.h"
@@ -14,9 +15,13 @@ class RadarFeed {
   struct Options {
     SectorCutter::Options sectors;
     bool test_targets = false;  // keep them
+    std::set<SourceId> listed;  // radars that are known beforehand
+    bool only_listed = false;
+    std::size_t most_radars = 32;  // further ones: who has no beam yet makes room, the one longest silent first
   };
   struct Events {
     std::function<void(SourceId radar, CutSector&& sector)> sector;
+    /// Only of a radar that gave a sector or is listed.
     std::function<void(SourceId radar, const tws::Geodetic& position)> position;
     /// Something wrong: what it is counted as, and the reason with the place.
     std::function<void(const std::string& counter, const std::string& reason)> fault;
@@ -28,6 +33,7 @@ class RadarFeed {
   RadarFeed(const RadarFeed&) = delete;
   RadarFeed& operator=(const RadarFeed&) = delete;
 
+  /// Live, the feed's time is what advance() says; of a file, its data say it.
   /// `origin` is put before the offset in reasons, e.g. the file's name or the sender.
   void add(const FramingStep& step, const std::string& origin);
   /// The feed has come to this time since 1970 [s], by a clock that goes on without data.
@@ -41,11 +47,18 @@ class RadarFeed {
  private:
   void add(const TargetReport& report, double time);
   void add(const ServiceMessage& message, double time);
-  SectorCutter& cutterOf(SourceId radar);
+  /// Nothing: there is no room for one more radar.
+  SectorCutter* cutterOf(SourceId radar);
+  bool hasRoom();
+  bool isListed(SourceId radar) const { return options_.listed.count(radar) > 0; }
+  void placeOf(SourceId radar, const tws::Geodetic& position);
 
   Options options_;
   Events events_;
   std::map<SourceId, SectorCutter> cutters_;
+  std::map<SourceId, std::uint64_t> heard_;   // the number of each one's last record
+  std::map<SourceId, tws::Geodetic> places_;  // of radars whose beam is not known yet
+  std::set<SourceId> proven_;                 // those that gave a sector
   std::string origin_;
   RecordStream stream_;
 };

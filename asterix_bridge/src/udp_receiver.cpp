@@ -1,5 +1,8 @@
 #include "udp_receiver.h"
 
+#include <netinet/in.h>
+#include <sys/socket.h>
+
 #include <array>
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/multicast.hpp>
@@ -38,12 +41,15 @@ class UdpReceiver::Impl {
     const ip::address address = ip::make_address(where.address);
     const ip::udp::endpoint endpoint(address, where.port);
     socket_.open(endpoint.protocol());
-    socket_.set_option(ip::udp::socket::reuse_address(true));
+    // Several may listen to a group; a port of this machine is one program's alone.
+    if (address.is_multicast()) socket_.set_option(ip::udp::socket::reuse_address(true));
     boost::system::error_code ignored;  // The system may allow less: then it is less.
     socket_.set_option(boost::asio::socket_base::receive_buffer_size(4 << 20), ignored);
     socket_.bind(endpoint);
     socket_.non_blocking(true);
     if (!address.is_multicast()) return;
+    const int joined_only = 0;  // else groups come that other programs joined on other interfaces
+    if (address.is_v4()) setsockopt(socket_.native_handle(), IPPROTO_IP, IP_MULTICAST_ALL, &joined_only, sizeof(int));
     if (where.interface.empty())
       socket_.set_option(ip::multicast::join_group(address));
     else

@@ -40,6 +40,15 @@ std::vector<std::string> receive(UdpReceiver& receiver, std::size_t count) {
   return texts;
 }
 
+// Two programs on one port would share a radar's datagrams by chance, each without knowing of the other.
+TEST(UdpReceiver, HasAPortOfThisMachineForItself) {
+  const std::uint16_t port = freePort();
+  const UdpReceiver first({"127.0.0.1", port, ""});
+  EXPECT_THROW(UdpReceiver({"127.0.0.1", port, ""}), std::runtime_error);
+  const UdpReceiver group({"239.1.2.3", port, "127.0.0.1"});
+  EXPECT_NO_THROW(UdpReceiver({"239.1.2.3", port, "127.0.0.1"}));
+}
+
 TEST(UdpReceiver, GivesUnicastDatagramsInOrder) {
   const std::uint16_t port = freePort();
   UdpReceiver receiver({"127.0.0.1", port, ""});
