@@ -2,6 +2,7 @@
 #include <CLI/CLI.hpp>
 #include <iostream>
 
+#include "radar_periods.h"
 #include "recording.h"
 #include "report_csv.h"
 
@@ -18,9 +19,10 @@ void complain(const Recording& recording, FaultKind kind, const BlockFault& faul
 
 void convert(const std::string& path, bool records) {
   const Recording recording(path);
+  const DataClock clock = clockFor(recording, std::nullopt);
   std::optional<PlotCsv> plots;
   std::optional<RecordCsv> all;
-  records ? void(all.emplace(std::cout)) : void(plots.emplace(std::cout));
+  records ? void(all.emplace(std::cout)) : void(plots.emplace(std::cout, periodsOf(recording, clock)));
   int faults = 0;
   RecordStream::Events events;
   events.report = [&](const TargetReport& report, double time) {
@@ -30,7 +32,6 @@ void convert(const std::string& path, bool records) {
     if (all) all->add(message, time);
   };
   events.fault = [&](FaultKind kind, const BlockFault& fault) { complain(recording, kind, fault, ++faults); };
-  const DataClock clock = clockFor(recording, std::nullopt);
   RecordStream stream(clock, std::move(events));
   const std::unique_ptr<BlockFinder> blocks = recording.blocks();
   while (const auto step = blocks->next()) stream.add(*step);

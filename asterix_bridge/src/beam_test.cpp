@@ -98,6 +98,23 @@ TEST(Beam, GoesOnCountingTurnsAfterASilence) {
   EXPECT_NEAR(beam.azimuthAt(1159.0) - before, truth(1159.0) - truth(1049.0), tws::radians(1.0));
 }
 
+// A marine radar's turn takes less than the beam is learned in.
+TEST(Beam, OfAFastAntennaIsFollowedEvenly) {
+  Beam beam;
+  double used = 1000.0;
+  const auto fast = [](double time) { return tws::kTwoPi * (time - 1000.0) / 0.4; };
+  for (int i = 0; i < 12000; ++i) {
+    const double time = std::round((1000.0 + i * 0.01) * 128.0) / 128.0;  // as ASTERIX tells it
+    beam.add(time, tws::wrapTwoPi(fast(1000.0 + i * 0.01)));
+    if (!beam.learn(time, used)) continue;
+    used = std::max(used, time - 30.0);
+    if (time > 1060.0) {
+      ASSERT_LT(std::abs(tws::angularDifference(beam.azimuthAt(used), fast(used))), tws::radians(8.0)) << time;
+    }
+  }
+  EXPECT_NEAR(beam.period(), 0.4, 1e-3);
+}
+
 TEST(Beam, IsNotInventedFromPlotsAnywhere) {
   std::mt19937 random(9);
   std::uniform_real_distribution<double> azimuth(0.0, tws::kTwoPi);

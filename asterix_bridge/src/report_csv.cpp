@@ -42,6 +42,11 @@ std::string bits(const FlightLevel& level) {
   return std::string(level.validated ? "0" : "1") + (level.garbled ? "1" : "0");
 }
 
+template <class Reply>
+bool isSound(const Reply& reply) {
+  return reply.validated && !reply.garbled;
+}
+
 class Line {
  public:
   explicit Line(std::ostream& out) : out_(out) {}
@@ -64,15 +69,21 @@ std::string radarName(SourceId source) {
   return "radar_" + std::to_string(source.sac) + "_" + std::to_string(source.sic);
 }
 
-PlotCsv::PlotCsv(std::ostream& out) : out_(out) {
+PlotCsv::PlotCsv(std::ostream& out, std::map<SourceId, double> periods) : out_(out), periods_(std::move(periods)) {
   out_ << "t_s,radar,scan,range_m,az_deg,mode3a,fl,address,callsign,track\n";
 }
 
-long PlotCsv::scanOf(const TargetReport& report) {
+long PlotCsv::scanOf(const TargetReport& report, double time) {
   Turns& turns = turns_[*report.source];
-  if (turns.started) turns.unwrapped += tws::angularDifference(report.azimuth, turns.azimuth);
   if (!turns.started) turns.unwrapped = report.azimuth;
+  const double further = turns.started ? tws::angularDifference(report.azimuth, turns.azimuth) : 0.0;
+  const auto period = periods_.find(*report.source);
+  double whole = 0.0;  // turns between the two
+  if (turns.started && period != periods_.end())
+    whole = std::round((time - turns.time) / period->second - further / tws::kTwoPi);
+  turns.unwrapped += further + whole * tws::kTwoPi;
   turns.started = true;
+  turns.time = time;
   turns.azimuth = report.azimuth;
   return std::lround(std::floor(turns.unwrapped / tws::kTwoPi));
 }
@@ -84,9 +95,11 @@ void PlotCsv::add(const TargetReport& report, double time) {
   }
   if (!start_) start_ = time;
   ++count_;
-  Line(out_) << number(time - *start_, "%.4f") << radarName(*report.source) << std::to_string(scanOf(report))
-             << number(report.range, "%.1f") << number(tws::degrees(report.azimuth), "%.4f") << octal(report.mode_3a)
-             << exact(report.flight_level.level_100ft) << hex(report.aircraft_address) << report.callsign.data()
+  Line(out_) << number(time - *start_, "%.4f") << radarName(*report.source) << std::to_string(scanOf(report, time))
+             << number(report.range, "%.1f") << number(tws::degrees(report.azimuth), "%.4f")
+             << (isSound(report.mode_3a) ? octal(report.mode_3a) : "")
+             << (isSound(report.flight_level) ? exact(report.flight_level.level_100ft) : "")
+             << hex(report.aircraft_address) << report.callsign.data()
              << (report.track_number ? std::to_string(*report.track_number) : "");
 }
 

@@ -11,10 +11,12 @@ namespace asterix_bridge {
 /// The name of a radar in topics and files: "radar_20_130" for SAC 20, SIC 130.
 std::string radarName(SourceId source);
 
-/// Writes plots as `t_s,radar,scan,range_m,az_deg,mode3a,fl,address,callsign,track`; times from the first plot on.
+/// Writes plots, codes and levels only where they are validated and not garbled, as
+/// `t_s,radar,scan,range_m,az_deg,mode3a,fl,address,callsign,track`; times from the first plot on.
 class PlotCsv {
  public:
-  explicit PlotCsv(std::ostream& out);
+  /// `periods`: of the radars' turns [s], as far as they are known.
+  explicit PlotCsv(std::ostream& out, std::map<SourceId, double> periods = {});
   /// A report without measured position or time is left out.
   void add(const TargetReport& report, double time);
   std::uint64_t leftOut() const { return left_out_; }
@@ -22,16 +24,19 @@ class PlotCsv {
   std::uint64_t count() const { return count_; }
 
  private:
-  // Counts turns by the azimuth from plot to plot; a turn without plots over half of it is not seen.
+  // Counts turns by the azimuth from plot to plot, and by the time if the period is known: else a turn without plots
+  // over half of it is not seen.
   struct Turns {
+    double time = 0.0;
     double azimuth = 0.0;
     double unwrapped = 0.0;
     bool started = false;
   };
-  long scanOf(const TargetReport& report);
+  long scanOf(const TargetReport& report, double time);
 
   std::ostream& out_;
   std::optional<double> start_;
+  std::map<SourceId, double> periods_;
   std::map<SourceId, Turns> turns_;
   std::uint64_t left_out_ = 0;
   std::uint64_t count_ = 0;

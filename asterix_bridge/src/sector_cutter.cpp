@@ -5,7 +5,9 @@
 #include <cstdio>
 #include <limits>
 
+#include <tws_core/angles.h>
 #include <tws_core/sectors.h>
+#include <tws_core/units.h>
 
 namespace asterix_bridge {
 namespace {
@@ -22,6 +24,8 @@ std::string seconds(double time) {
 
 void SectorCutter::add(const TargetReport& report, double time) {
   if (!isPossible(time)) return;
+  if (report.time_from != TimeFrom::kMark) beam_.add(time, report.azimuth);
+  time = placed(report, time);
   if (running_ && time < enter_time_)
     events_.fault(
         "late reports",
@@ -29,7 +33,23 @@ void SectorCutter::add(const TargetReport& report, double time) {
   const auto later = [](double t, const TimedReport& other) { return t < other.time; };
   reports_.insert(std::upper_bound(reports_.begin(), reports_.end(), time, later), TimedReport{time, report});
   if (reports_.size() > kMostWaiting) reports_.erase(reports_.begin());
-  beam_.add(time, report.azimuth);
+}
+
+// A report without a time of its own has the time at which the beam was there: after the mark that lent it one, or
+// before it was received.
+double SectorCutter::placed(const TargetReport& report, double time) const {
+  if (report.time_from == TimeFrom::kReport || !beam_.isKnown()) return time;
+  const double beam = beam_.azimuthAt(time);
+  double ahead = tws::angularDifference(report.azimuth, beam);
+  if (report.time_from == TimeFrom::kMark && ahead < -tws::kPi / 2.0) ahead += tws::kTwoPi;
+  if (report.time_from == TimeFrom::kReception && ahead > tws::kPi / 2.0) ahead -= tws::kTwoPi;
+  return beam_.timeAt(beam + ahead);
+}
+
+void SectorCutter::placeAll() {
+  for (TimedReport& timed : reports_) timed.time = placed(timed.report, timed.time);
+  std::stable_sort(reports_.begin(), reports_.end(),
+                   [](const TimedReport& a, const TimedReport& b) { return a.time < b.time; });
 }
 
 void SectorCutter::mark(double time, double azimuth) {
@@ -39,18 +59,20 @@ void SectorCutter::mark(double time, double azimuth) {
 
 // A time far from the radar's others is wrong, unless those that follow agree with it.
 bool SectorCutter::isPossible(double time) {
-  constexpr double kFarAhead = 60.0;
+  constexpr double kFarAhead = 60.0, kAheadOfFeed = 5.0;
   constexpr int kEnough = 5;
   if (std::isnan(time)) return false;
   const bool back = newest_ && time < *newest_ - options_.restart;
-  const bool ahead = newest_ && time > *newest_ + kFarAhead;
+  const bool ahead = feed_time_ ? time > *feed_time_ + kAheadOfFeed : newest_ && time > *newest_ + kFarAhead;
   impossible_ = back || ahead ? impossible_ + 1 : 0;
   if (impossible_ > 0 && impossible_ < kEnough) {
-    events_.fault("reports at impossible times", seconds(time) + " after " + seconds(*newest_));
+    events_.fault("reports at impossible times",
+                  seconds(time) + ", the feed is at " + seconds(feed_time_.value_or(newest_.value_or(time))));
     return false;
   }
   if (back) {
     events_.fault("new runs", "time went back from " + seconds(*newest_) + " to " + seconds(time));
+    finish();
     beginAnew();
   } else if (newest_ && time > *newest_ + silence()) {
     events_.fault("silences", "nothing from " + seconds(*newest_) + " to " + seconds(time));
@@ -68,6 +90,7 @@ bool SectorCutter::isPossible(double time) {
 
 void SectorCutter::beginAnew() {
   beam_ = Beam();
+  next_ = 0;
   reports_.clear();
   running_.reset();
   newest_.reset();
@@ -75,22 +98,54 @@ void SectorCutter::beginAnew() {
 }
 
 void SectorCutter::advance(double feed_time) {
+  if (options_.steady) feed_time_ = feed_time;
   if (!newest_) return;
+  followBreak();
   const double fixed = running_ ? enter_time_ : -std::numeric_limits<double>::infinity();
   if (!beam_.learn(*newest_, fixed)) return;
   // Of a radar that has sent nothing for a turn, not even a mark, nobody knows that its beam still turns.
   constexpr double kTurns = 1.25;
   const double led = std::min(feed_time - options_.latency, *newest_ + kTurns * beam_.period());
-  release(options_.steady ? led : std::max(*newest_, led) - options_.settle);
+  const double until = options_.steady ? led : std::max(*newest_, led) - options_.settle;
+  release(std::min(until, beam_.doubtfulSince().value_or(until)));
+}
+
+// The antenna changed its speed, was restarted, or the radar's clock was set: the sectors go on along the new beam.
+void SectorCutter::followBreak() {
+  if (const auto line = beam_.findBreak()) return turnAlong(*line);
+  if (!beam_.isLost()) return;
+  const double since = *beam_.doubtfulSince();
+  events_.fault("beams lost", "from " + seconds(since) + " on the reports do not show how the antenna turns");
+  release(since);
+  beam_.interrupt();
+  running_.reset();
+  earliest_ = since;
+}
+
+void SectorCutter::turnAlong(const tws::SteadyBeam& line) {
+  const double period = beam_.period();
+  release(line.time);
+  char text[160];
+  std::snprintf(text, sizeof text, "at %s: the beam was %+.1f degrees off, the period %.3f s, now %.3f s",
+                seconds(line.time).c_str(),
+                tws::degrees(tws::angularDifference(line.azimuth, beam_.azimuthAt(line.time))), period,
+                tws::kTwoPi / line.rate);
+  events_.fault("beam breaks", text);
+  // A revolution more, so that nobody measures the period across the break.
+  const double start = std::max(line.time, enter_time_);
+  beam_.turnAlong(line);
+  beam_.raise(start, static_cast<double>(*running_ + tws::kSectors + 1) * tws::kSectorWidth);
+  running_ = static_cast<std::int64_t>(std::ceil(beam_.azimuthAt(start) / tws::kSectorWidth));
+  enter_time_ = beam_.timeAt(static_cast<double>(*running_) * tws::kSectorWidth);
+  placeAll();
 }
 
 void SectorCutter::finish() {
   if (!newest_) return;
-  constexpr double kAtOnce = 1.0;
-  if (!beam_.isKnown() && !beam_.learn(*newest_ + kAtOnce, 0.0)) {
+  if (!beam_.isKnown() && !beam_.learnNow(*newest_, 0.0)) {
     if (!reports_.empty())
       events_.fault("reports of an unknown beam",
-                    std::to_string(reports_.size()) + " up to " + seconds(*newest_) + " do not show how it turns");
+                    std::to_string(reports_.size()) + " up to " + seconds(*newest_) + ": " + beam_.whyUnknown());
     return reports_.clear();
   }
   if (!running_) start();
@@ -111,13 +166,15 @@ double SectorCutter::silence() const {
 // The beam may have been found only after some turns: what was kept of them counts, but not what lies so far back that
 // the beam then is a guess.
 void SectorCutter::start() {
-  constexpr double kFarBack = 100.0;
+  constexpr double kFarBack = 400.0;
+  placeAll();
   const double oldest = *newest_ - kFarBack;
   const auto first = std::find_if(reports_.begin(), reports_.end(), [&](const auto& r) { return r.time >= oldest; });
   const auto lost = first - reports_.begin();
   if (lost > 0) events_.fault("reports before the beam was known", std::to_string(lost) + " before " + seconds(oldest));
   reports_.erase(reports_.begin(), first);
   earliest_ = std::max(*earliest_, oldest);
+  beam_.raise(*earliest_, static_cast<double>(next_) * tws::kSectorWidth);
   running_ = static_cast<std::int64_t>(std::floor(beam_.azimuthAt(*earliest_) / tws::kSectorWidth));
   enter_time_ = beam_.timeAt(static_cast<double>(*running_) * tws::kSectorWidth);
 }
@@ -127,7 +184,8 @@ void SectorCutter::close() {
   sector.running = *running_;
   sector.sector = static_cast<int>(((*running_ % tws::kSectors) + tws::kSectors) % tws::kSectors);
   sector.enter_time = enter_time_;
-  running_ = *running_ + 1;
+  next_ = *running_ + 1;
+  running_ = next_;
   enter_time_ = sector.leave_time = beam_.timeAt(static_cast<double>(*running_) * tws::kSectorWidth);
   sector.period = beam_.period();
   const auto first = reports_.begin();

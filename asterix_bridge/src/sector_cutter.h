@@ -42,7 +42,7 @@ class SectorCutter {
   struct Events {
     std::function<void(CutSector&& sector)> sector;
     /// `counter`: "late reports", "reports at impossible times", "silences", "new runs", "reports before the
-    /// beam was known", "reports of an unknown beam".
+    /// beam was known", "reports of an unknown beam", "beam breaks", "beams lost".
     std::function<void(const std::string& counter, const std::string& reason)> fault;
   };
 
@@ -61,6 +61,10 @@ class SectorCutter {
 
  private:
   bool isPossible(double time);
+  double placed(const TargetReport& report, double time) const;
+  void followBreak();
+  void turnAlong(const tws::SteadyBeam& line);
+  void placeAll();
   void beginAnew();
   double silence() const;
   void release(double until);
@@ -73,7 +77,9 @@ class SectorCutter {
   std::vector<TimedReport> reports_;  // not in a closed sector, in order of time
   std::optional<double> newest_;      // own time [s]
   std::optional<double> earliest_;
+  std::optional<double> feed_time_;      // of a live feed [s]
   std::optional<std::int64_t> running_;  // the open sector
+  std::int64_t next_ = 0;                // behind the last one closed
   double enter_time_ = 0.0;
   int impossible_ = 0;  // in a row
 };

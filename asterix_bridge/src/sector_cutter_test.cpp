@@ -134,6 +134,7 @@ TEST_F(SectorCutterTest, BeginsAnewWhenTimeGoesBackForGood) {
   play(kStart, kStart + 40.0);
   cutter_.finish();
   EXPECT_EQ(faults_["new runs"], 1);
+  EXPECT_EQ(reports(), 796u);                   // but for the four before it was certain
   EXPECT_EQ(sectors_.back().running / 64, 10);  // from the second turn on
   EXPECT_NEAR(sectors_.back().leave_time, kStart + 40.0, 0.1);
 }
@@ -150,6 +151,78 @@ TEST_F(SectorCutterTest, IsSilentWhenTheRadarIsAndGoesOnInTheRightSector) {
     in_gap += sector.enter_time > kStart + 41.0 && sector.leave_time < kStart + 79.0;
   EXPECT_EQ(in_gap, 0u);
   EXPECT_NEAR(static_cast<double>(sectors_.back().running - sectors_.front().running), 120.0 / kPeriod * 64.0, 2.0);
+}
+
+// Another speed, another phase: the sectors go on, their numbers and times grow, and it is said.
+TEST_F(SectorCutterTest, FollowsAnAntennaThatChangesItsSpeed) {
+  play(kStart, kStart + 40.0);
+  const double changed = kStart + 40.0, period = 5.0;
+  for (int tenth = 0; tenth < 400; ++tenth) {
+    const double time = changed + tenth / 10.0;
+    TargetReport report = reportAt(time);
+    report.azimuth = tws::wrapTwoPi(tws::kTwoPi * (time - changed) / period);
+    cutter_.add(report, time);
+    cutter_.advance(time);
+  }
+  cutter_.finish();
+  EXPECT_EQ(faults_["beam breaks"], 1);
+  EXPECT_EQ(reports(), 800u);
+  int off = 0;
+  for (std::size_t i = 1; i < sectors_.size(); ++i) {
+    EXPECT_GT(sectors_[i].running, sectors_[i - 1].running);
+    EXPECT_GE(sectors_[i].enter_time, sectors_[i - 1].leave_time - 1e-9);
+    for (const TimedReport& report : sectors_[i].reports)
+      off += std::abs(tws::angularDifference(report.report.azimuth,
+                                             tws::sectorStart(sectors_[i].sector) + tws::kSectorWidth / 2.0)) > 0.3;
+  }
+  EXPECT_LT(off, 30);  // less than a turn's
+  EXPECT_NEAR(sectors_.back().period, period, 0.05);
+}
+
+// A stranger's plot, or a radar's bad one, is not the time: the feed is.
+TEST_F(SectorCutterTest, TakesNoReportFromAheadOfALiveFeed) {
+  SectorCutter::Options options;
+  options.steady = true;
+  SectorCutter cutter(options, {[this](CutSector&& sector) { sectors_.push_back(std::move(sector)); },
+                                [this](const std::string& counter, const std::string&) { ++faults_[counter]; }});
+  for (int tenth = 0; tenth < 600; ++tenth) {
+    const double time = kStart + tenth / 10.0;
+    cutter.add(reportAt(time), time);
+    if (tenth % 100 == 50) cutter.add(reportAt(time + 40.0), time + 40.0);
+    cutter.advance(time);
+  }
+  EXPECT_EQ(faults_["reports at impossible times"], 6);
+  EXPECT_EQ(faults_["late reports"], 0);
+  EXPECT_EQ(faults_["new runs"], 0);
+}
+
+// Without a time of its own a report belongs where the beam was, not where the latest mark was.
+TEST_F(SectorCutterTest, PlacesAReportWithALentTimeByItsAzimuth) {
+  play(kStart, kStart + 40.0);
+  TargetReport report = reportAt(kStart + 39.0);
+  report.time_from = TimeFrom::kMark;
+  cutter_.add(report, kStart + 36.0);
+  report.time_from = TimeFrom::kReception;
+  cutter_.add(report, kStart + 39.4);
+  cutter_.finish();
+  EXPECT_EQ(reports(), 402u);
+  int there = 0;
+  for (const CutSector& sector : sectors_)
+    for (const TimedReport& timed : sector.reports)
+      there += timed.report.time_from != TimeFrom::kReport && std::abs(timed.time - (kStart + 39.0)) < 0.05;
+  EXPECT_EQ(there, 2);
+}
+
+TEST_F(SectorCutterTest, SaysThatAnAntennaTurnsCounterClockwise) {
+  std::string reason;
+  SectorCutter cutter({}, {[](CutSector&&) {}, [&](const std::string&, const std::string& text) { reason = text; }});
+  for (int tenth = 0; tenth < 600; ++tenth) {
+    TargetReport report = reportAt(kStart + tenth / 10.0);
+    report.azimuth = tws::kTwoPi - report.azimuth;
+    cutter.add(report, kStart + tenth / 10.0);
+  }
+  cutter.finish();
+  EXPECT_NE(reason.find("counter-clockwise, once in 4.0"), std::string::npos) << reason;
 }
 
 TEST_F(SectorCutterTest, GoesOnWithoutPlotsFromMarksAlone) {

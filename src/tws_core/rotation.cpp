@@ -165,6 +165,19 @@ Rotation Rotation::fromPlots(std::vector<TimedAzimuth> plots, double period) {
   return follow(plots, findFrequency(plots, period), start);
 }
 
+// A beam far from most plots is none, however coherent some of them are.
+static void checkThatItExplains(const Rotation& rotation, const Plots& plots, double start) {
+  constexpr double kNear = kPi / 4.0, kMost = 0.6;
+  const auto is_near = [&](const TimedAzimuth& plot) {
+    return std::abs(wrapPi(plot.azimuth - rotation.unwrappedAt(start + plot.time))) < kNear;
+  };
+  const auto near = std::count_if(plots.begin(), plots.end(), is_near);
+  if (static_cast<double>(near) >= kMost * static_cast<double>(plots.size())) return;
+  throw std::invalid_argument("Rotation: the best beam, one turn in " + std::to_string(rotation.period()) +
+                              " s, is near " + std::to_string(near) + " of " + std::to_string(plots.size()) +
+                              " plots only");
+}
+
 // The knots are the lines' middles, where they are known best. The outer lines, and those beside a gap, go on by half a
 // window: what lies between them is not known.
 Rotation Rotation::follow(const std::vector<TimedAzimuth>& plots, double frequency, double start) {
@@ -185,7 +198,9 @@ Rotation Rotation::follow(const std::vector<TimedAzimuth>& plots, double frequen
     add(lines[i], lines[i].time);
   }
   add(lines.back(), lines.back().time + length / 2.0);
-  return Rotation(std::move(knots));
+  Rotation rotation(std::move(knots));
+  checkThatItExplains(rotation, plots, start);
+  return rotation;
 }
 
 double Rotation::period() const {

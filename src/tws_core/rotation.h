@@ -19,8 +19,8 @@ class Rotation {
   /// its unwrapped azimuth. Throws std::invalid_argument when the period is outside or the azimuth not finite.
   static Rotation uniform(double period, double azimuth_at_zero);
 
-  /// Finds period (1..60 s) and phase from the plots of one radar alone, in any order, then follows the slow drift of
-  /// the real rotation. At least 20 plots over three turns are needed, and most must lie where the beam was. The
+  /// Finds period (0.2..120 s) and phase from the plots of one radar alone, in any order, then follows the slow drift
+  /// of the real rotation. At least 20 plots over three turns are needed, and most must lie where the beam was. The
   /// unwrapped azimuth is in [0, 2π) at the first plot. Plots that do not tell a period from its fractions (all at one
   /// azimuth) get the longest. Throws std::invalid_argument that says why when the plots show no rotation, or one has
   /// a time beyond ±1e10 s or an azimuth that is not finite.

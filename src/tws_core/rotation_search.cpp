@@ -13,8 +13,8 @@ namespace {
 using Plots = std::vector<TimedAzimuth>;
 using Windows = std::vector<PlotWindow>;
 
-constexpr double kShortestPeriod = 0.95;  // [s] a little beyond 1..60 s, so that both ends are found
-constexpr double kLongestPeriod = 64.0;
+constexpr double kShortestPeriod = 0.19;  // [s] a little beyond 0.2..120 s, so that both ends are found
+constexpr double kLongestPeriod = 127.0;
 constexpr double kLeastTurns = 3.0;  // fewer do not tell a rotation from plots that happen to lie close together
 constexpr std::size_t kLeastPlots = 20;
 constexpr std::size_t kLeastPlotsOfKnownPeriod = 5;
@@ -219,7 +219,7 @@ double findFrequency(const Plots& plots) {
   }
   const std::vector<CoherencePeak> peaks = peaksOfAllBands(plots);
   const double coherence = peaks.empty() ? 0.0 : greatestOf(peaks).coherence;
-  checkCoherence(coherence, plots, 1.0, std::min(60.0, spanOf(plots) / kLeastTurns));
+  checkCoherence(coherence, plots, 0.2, std::min(120.0, spanOf(plots) / kLeastTurns));
   return fundamentalOf(peaks);
 }
 

@@ -36,7 +36,7 @@ const TimedAzimuth* firstNotBefore(const TimedAzimuth* first, const TimedAzimuth
 /// `frequency` itself when they last less than three turns.
 CoherencePeak peakNear(const TimedAzimuth* first, const TimedAzimuth* last, double frequency, double tolerance);
 
-/// The frequency of a beam with a period of 1..60 s, from plots in order of time with times near zero. Throws
+/// The frequency of a beam with a period of 0.2..120 s, from plots in order of time with times near zero. Throws
 /// std::invalid_argument that says why when there are too few or they do not show one.
 double findFrequency(const std::vector<TimedAzimuth>& plots);
 /// The same near a known period [s].
