@@ -9,6 +9,7 @@ import unittest
 CHECK = pathlib.Path(__file__).resolve().parent / "check_tidy"
 GOOD = 'namespace {\nint helper() { return 1; }\n}  // namespace\nint good() { return helper(); }\n'
 OTHER = 'namespace {\nint helper() { return 2; }\n}  // namespace\nint other() { return helper(); }\n'
+HIDDEN = 'namespace {\nint\nhelper() { return 3; }\n}  // namespace\nint NAME() { return helper(); }\n'
 BAD = 'int bad(const int* p) {\n  if (p == 0) return 0;\n  return *p;\n}\n'
 
 
@@ -21,8 +22,10 @@ class Tidy(unittest.TestCase):
             for name in (".ci", "src", "build"):
                 (root / name).mkdir()
             shutil.copy(CHECK, root / ".ci")
+            shutil.copy(CHECK.parent / "tidy_units.py", root / ".ci")
             shutil.copy(CHECK.parent.parent / ".clang-tidy", root)
             entries = []
+            (root / "src" / "bad.h").write_text("#pragma once\ninline " + BAD)
             for name, text in files.items():
                 (root / "src" / f"{name}.cpp").write_text(text)
                 command = f"/usr/bin/c++ -std=c++17 -Winvalid-pch -include {root}/none.hxx -flto -o {name}.o -c {root}/src/{name}.cpp"
@@ -41,6 +44,20 @@ class Tidy(unittest.TestCase):
             status, said = self.check(**files)
             self.assertEqual(status, 1)
             self.assertRegex(said, r"/src/worse.cpp:\d+:\d+: error: .*modernize-use-nullptr")
+
+    def test_a_mistake_in_a_header_is_shown(self):
+        status, said = self.check(good=GOOD, includes='#include "bad.h"\nint i() { return bad(nullptr); }\n')
+        self.assertEqual(status, 1)
+        self.assertRegex(said, r"/src/bad.h:\d+:\d+: error: .*modernize-use-nullptr")
+
+    def test_programs_and_files_whose_clash_only_the_compiler_sees_are_checked(self):
+        main = "int main() { return 0; }\n"
+        status, said = self.check(one=HIDDEN.replace("NAME", "one") + main, two=HIDDEN.replace("NAME", "two") + main)
+        self.assertEqual(status, 0, said)
+        self.assertIn("parted in 2", said)
+        status, said = self.check(one=HIDDEN.replace("NAME", "one"), two=HIDDEN.replace("NAME", "two") + BAD)
+        self.assertEqual(status, 1)
+        self.assertRegex(said, r"/src/two.cpp:\d+:\d+: error: .*modernize-use-nullptr")
 
     def test_a_file_that_does_not_compile_is_a_mistake(self):
         self.assertEqual(self.check(good=GOOD, broken="int f() { return x; }\n")[0], 1)

@@ -3,6 +3,7 @@
 #include <Eigen/Dense>
 #include <cmath>
 
+#include <tws_core/angles.h>
 #include <tws_core/multiple_model_filter.h>
 
 namespace tws {
@@ -10,7 +11,6 @@ namespace tws {
 using Vector4 = Eigen::Vector4d;
 using Matrix4 = Eigen::Matrix4d;
 using Matrix24 = Eigen::Matrix<double, 2, 4>;
-inline constexpr double kPi = 3.14159265358979323846;
 
 inline Matrix4 denseOf(const PlanarMotion& s) {
   Matrix4 p;
