@@ -139,7 +139,7 @@ class Unit:
         """The compiler's words that all members need. A folder of one's own headers is nobody's system folder."""
         own = {str(pathlib.Path(folder).resolve()): "-I" for source in self.members for kind, folder in source.folders if kind == "-I"}
         folders = {str(pathlib.Path(folder).resolve()): kind for source in self.members for kind, folder in source.folders}
-        words = [f"-D{macro}" for source in self.members for macro in source.macros if '"' not in macro]
+        words = [f"-D{macro}" for source in self.members for macro in source.macros if '"' not in macro or not self.members[1:]]
         words += [word for source in self.members for word in source.rest]
         return [kind + folder for folder, kind in {**own, **folders, **own}.items()] + list(dict.fromkeys(words))
 
