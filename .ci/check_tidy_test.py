@@ -45,6 +45,12 @@ class Tidy(unittest.TestCase):
             self.assertEqual(status, 1)
             self.assertRegex(said, r"/src/worse.cpp:\d+:\d+: error: .*modernize-use-nullptr")
 
+    def test_the_analyser_follows_paths_through_files_that_are_checked_together(self):
+        null = "int bad(int x) {\n  int* p = nullptr;\n  if (x > 3) return *p;\n  return 0;\n}\n"
+        status, said = self.check(good=GOOD, null=null)
+        self.assertEqual(status, 1)
+        self.assertRegex(said, r"/src/null.cpp:\d+:\d+: error: .*core.NullDereference")
+
     def test_a_mistake_in_a_header_is_shown(self):
         status, said = self.check(good=GOOD, includes='#include "bad.h"\nint i() { return bad(nullptr); }\n')
         self.assertEqual(status, 1)
