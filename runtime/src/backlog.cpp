@@ -7,7 +7,7 @@ namespace tws_runtime {
 namespace {
 
 constexpr double kStandstill = 0.5;  // [s of wall time]
-constexpr double kQuiet = 0.2;       // [s of wall time]
+constexpr double kQuiet = 0.3;       // [s of wall time]
 constexpr double kLongest = 10.0;    // [s of wall time]
 constexpr double kOld = 1.0;         // more than usual [s of data time]
 constexpr double kForget = 0.98;     // of the usual lag, with each message

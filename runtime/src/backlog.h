@@ -25,7 +25,7 @@ class Backlog {
   std::optional<double> beat(double wall);
   /// A message of that stamp [s] has come. True: `give` is kept, and is to be handed over later.
   bool keep(std::size_t topic, double stamp, double wall, Give give);
-  /// What is to be handed over next, once all has come: when nothing has come for a fifth of a second that is older
+  /// What is to be handed over next, once all has come: when nothing has come for 0.3 s that is older
   /// than its topic usually is, or after ten seconds.
   std::optional<Give> take(double wall);
 

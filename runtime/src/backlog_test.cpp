@@ -57,7 +57,7 @@ TEST_F(BacklogTest, WhatCameTopicByTopicIsHandedOverInOrderOfTime) {
   run(0.1);
   send(0, 50.1);
   send(1, 49.1);  // as late as it usually is
-  run(0.15);
+  run(0.25);
   ASSERT_EQ(given.size(), 602u);
   EXPECT_TRUE(std::is_sorted(given.begin(), given.end()));
   runInStep(50.2, 51.0);
@@ -71,7 +71,7 @@ TEST_F(BacklogTest, WhatComesWhileItIsHandedOverTakesItsPlace) {
   wall += 1.0;
   send(0, 2.0);
   send(0, 2.2);
-  wall += 0.3;
+  wall += 0.4;
   (*backlog.take(wall))();
   send(1, 2.1);
   run(0.1);

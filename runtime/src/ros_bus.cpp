@@ -157,12 +157,15 @@ class RosBus::Impl {
                " s of wall time; what came meanwhile is worked off in order of its stamps");
   }
 
+  void giveInOrder(std::size_t topic, ros::Time stamp, Backlog::Give give) {
+    if (in_order) beat();
+    if (!in_order || !backlog.keep(topic, stamp.toSec(), steadyTime(), give)) give();
+  }
+
   AnySubscription::Handler inOrder(const MessageType& type, AnySubscription::Handler handler) {
     const std::size_t topic = backlog.addTopic();
     return [this, topic, stampOf = type.stamp, handler = std::move(handler)](const auto& message) {
-      if (in_order) beat();
-      const auto give = [&handler, message] { handler(message); };
-      if (!in_order || !backlog.keep(topic, stampOf(message.get()).toSec(), steadyTime(), give)) give();
+      giveInOrder(topic, stampOf(message.get()), [&handler, message] { handler(message); });
     };
   }
 
@@ -242,7 +245,9 @@ void RosBus::everyData(double period_s, std::function<void(ros::Time)> handler) 
   impl_->data_timers.add(period_s, std::move(handler));
   if (!first) return;
   if (ros::Time::isSimTime())
-    subscribe<rosgraph_msgs::Clock>("/clock", [this](const auto& clock) { impl_->fireTimers(clock.clock); });
+    subscribe<rosgraph_msgs::Clock>("/clock", [this, topic = impl_->backlog.addTopic()](const auto& message) {
+      impl_->giveInOrder(topic, message.clock, [this, now = message.clock] { impl_->fireTimers(now); });
+    });
   else
     everyWall(0.01, [this] { impl_->fireTimers(ros::Time::now()); });
 }
@@ -268,15 +273,16 @@ void RosBus::spinFor(double wall_s) {
 }
 
 void RosBus::spinInOrder(double wall_s) {
+  // One by one: the work that a message makes is done before the next one, as if they had come at their time; and not
+  // faster than listeners with short queues (rosbag record has 100) take in what comes of it.
+  const ros::WallDuration between(0.001);
   const ros::WallTime end = ros::WallTime::now() + ros::WallDuration(wall_s);
   impl_->in_order = true;
   do {
     impl_->beat();
     const auto give = impl_->backlog.take(steadyTime());
     if (give) (*give)();
-    // One by one: the work that a message makes is done before the next one, as if they had come at their time.
-    impl_->queue.callAvailable(give ? ros::WallDuration(0.0)
-                                    : std::max(ros::WallDuration(0.0), end - ros::WallTime::now()));
+    impl_->queue.callAvailable(give ? between : std::max(ros::WallDuration(0.0), end - ros::WallTime::now()));
   } while (ok() && ros::WallTime::now() < end);
 }
 

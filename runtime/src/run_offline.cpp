@@ -8,9 +8,10 @@ namespace tws_runtime {
 namespace {
 
 /// Whether a source has gone on for longer than `duration`. One bad stamp may lie further off than a ros::Duration can
-/// say.
+/// say; the longest of them means all.
 bool isBeyond(ros::Time time, ros::Time start, ros::Duration duration) {
-  return time > start && time.toNSec() - start.toNSec() > static_cast<std::uint64_t>(duration.toNSec());
+  return duration < ros::DURATION_MAX && time > start &&
+         time.toNSec() - start.toNSec() > static_cast<std::uint64_t>(duration.toNSec());
 }
 
 /// The source to step next and when; null: all have ended.
