@@ -86,6 +86,13 @@ class StartGraph(unittest.TestCase):
         self.assertIs(self.master.getParam("/use_sim_time"), False)
         self.assertFalse(self.master.hasParam("/adit/radars"))
 
+    # If this fails, nobody is told that the whole network may command the trackers.
+    def test_a_graph_that_is_open_to_the_network_is_said_to_be(self):
+        del self.environment["ROS_HOSTNAME"]
+        self.environment["ROS_IP"] = "192.0.2.1"  # of documents: nobody's
+        run = self.started("one_aircraft", "rviz:=false")
+        self.assertIn("open to the network as 192.0.2.1: whoever reaches the ports", run.stdout.readline())
+
     # If this fails, a run whose simulator is not built waits for it for good.
     def test_a_node_that_cannot_be_started_ends_the_run(self):
         launch = self.folder / "mine.launch"
