@@ -86,6 +86,16 @@ class StartGraph(unittest.TestCase):
         self.assertIs(self.master.getParam("/use_sim_time"), False)
         self.assertFalse(self.master.hasParam("/adit/radars"))
 
+    # If this fails, a run waits for good for a master that does not answer.
+    def test_a_master_that_does_not_answer_is_named(self):
+        with socket.socket() as mute:
+            mute.bind(("localhost", 0))
+            mute.listen()
+            self.environment["ROS_MASTER_URI"] = uri = f"http://localhost:{mute.getsockname()[1]}"
+            run = self.started("one_aircraft", "rviz:=false")
+            self.assertIn(f"start_graph: the master at {uri} (ROS_MASTER_URI) does not answer", run.communicate(timeout=40)[0])
+            self.assertEqual(run.returncode, 1)
+
     # If this fails, nobody is told that the whole network may command the trackers.
     def test_a_graph_that_is_open_to_the_network_is_said_to_be(self):
         del self.environment["ROS_HOSTNAME"]
