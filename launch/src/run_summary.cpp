@@ -54,14 +54,14 @@ RunSummary RunSummary::ofBag(const std::string& path) {
 }
 
 void RunSummary::add(const tws_msgs::Detections& message) {
-  beAlive(message.header.stamp);
+  beAlive(message.radar, message.header.stamp);
   Radar& radar = radars_[message.radar];
   ++radar.sectors;
   radar.plots += message.detections.size();
 }
 
 void RunSummary::add(const tws_msgs::DwellReports& message) {
-  beAlive(message.header.stamp);
+  beAlive(message.radar, message.header.stamp);
   Array& array = arrays_[message.radar];
   ++array.periods;
   array.dwells += message.dwells.size();
@@ -72,13 +72,14 @@ void RunSummary::add(const tws_msgs::DwellReports& message) {
 }
 
 void RunSummary::add(const tws_msgs::RangeProfile& message) {
-  beAlive(message.header.stamp);
+  beAlive(message.radar, message.header.stamp);
   Staring& radar = staring_[message.radar];
   ++radar.profiles;
   radar.bins += message.amplitude.size();
 }
 
-void RunSummary::beAlive(ros::Time stamp) {
+void RunSummary::beAlive(const std::string& radar, ros::Time stamp) {
+  spoken_[radar] = stamp;
   if (first_.isZero()) first_ = stamp;
   last_ = std::max(last_, stamp);
 }
@@ -86,6 +87,7 @@ void RunSummary::beAlive(ros::Time stamp) {
 void RunSummary::add(const tws_msgs::Tracks& message) {
   last_tracked_ = std::max(last_tracked_, message.header.stamp);
   Tracker& tracker = trackers_[message.tracker];
+  tracker.processed[message.radar] = message.header.stamp;
   for (const Track& track : message.tracks) {
     tracker.last_state[track.uid] = track.state;
     if (track.state == Track::FIRM) tracker.became_firm.insert(track.uid);
@@ -140,10 +142,24 @@ bool RunSummary::hasConfirmed() const {
          std::any_of(trackers_.begin(), trackers_.end(), [](const auto& t) { return !t.second.became_firm.empty(); });
 }
 
+std::string RunSummary::silence() const {
+  constexpr double kSilent = 60.0;  // [s of data time] More than a tracker lags behind, also one that is overloaded.
+  for (const auto& [name, tracker] : trackers_) {
+    for (const auto& [radar, stamp] : tracker.processed) {
+      const auto spoken = spoken_.find(radar);
+      if (spoken == spoken_.end() || (spoken->second - stamp).toSec() < kSilent) continue;
+      return "tracker " + name + " fell silent at " + oneDecimal((stamp - first_).toSec()) + " s, while " + radar +
+             " spoke until " + oneDecimal((spoken->second - first_).toSec()) +
+             " s: its tracks end there; its log says why, if it says anything";
+    }
+  }
+  return "";
+}
+
 std::string RunSummary::failure() const {
   constexpr double kLongEnough = 60.0;  // [s] In less, tracks may have begun and not be confirmed yet.
   const std::size_t begun = begunTracks();
-  if (hasConfirmed() || (begun > 0 && simulatedTime() < kLongEnough)) return "";
+  if (hasConfirmed() || (begun > 0 && simulatedTime() < kLongEnough)) return silence();
   const std::string sensors = sensorNames();
   if (sensors.empty())
     return "nothing was tracked: no radar's plots came out of the input; `tws_inspect FILE` says what is understood of "

@@ -43,7 +43,7 @@ class RunSummary {
   std::size_t livingTracks() const;
   /// From the first sensor message to the trackers' last word [s of data time]; 0 without any.
   double trackedTime() const;
-  /// Why the run was in vain, what was in it and what to do, in one line; empty: something was tracked.
+  /// Why the run was in vain, what was in it and what to do, in one line; empty: something was tracked, to the end.
   std::string failure() const;
   /// The counters as the diagnostics said them.
   std::vector<tws_runtime::CounterReading> counters() const;
@@ -68,6 +68,7 @@ class RunSummary {
   struct Tracker {
     std::map<std::uint32_t, std::uint8_t> last_state;  ///< Of each track that ever was, by its uid.
     std::set<std::uint32_t> became_firm;
+    std::map<std::string, ros::Time> processed;  ///< The last sector, or the like, of each radar.
     std::size_t clutter_points = 0;
     std::size_t count(std::uint8_t state) const;
     std::size_t living() const;
@@ -83,7 +84,8 @@ class RunSummary {
   void printTrackers(std::ostream& out) const;
   void printCorrelator(std::ostream& out) const;
 
-  void beAlive(ros::Time stamp);
+  void beAlive(const std::string& radar, ros::Time stamp);
+  std::string silence() const;
   std::string sensorNames() const;
   std::size_t begunTracks() const;
   bool hasConfirmed() const;
@@ -91,6 +93,7 @@ class RunSummary {
   ros::Time first_;
   ros::Time last_;
   ros::Time last_tracked_;
+  std::map<std::string, ros::Time> spoken_;  ///< The last sensor message of each radar.
   std::map<std::string, Radar> radars_;
   std::map<std::string, Array> arrays_;
   std::map<std::string, Staring> staring_;

@@ -75,6 +75,28 @@ TEST(RunSummary, TracksOfWhichNoneIsConfirmedAreAFailureAfterAMinute) {
   EXPECT_EQ(summary.failure(), "");
 }
 
+// If this fails, a run whose tracker stood from some time on ends as well as one that was tracked to its end.
+TEST(RunSummary, ATrackerThatFallsSilentWhileItsRadarSpeaksIsAFailure) {
+  const auto of = [](const std::string& radar, double time) {
+    tws_msgs::Tracks message = tracks({{1, Track::FIRM}});
+    message.radar = radar;
+    message.header.stamp = ros::Time(time);
+    return message;
+  };
+  RunSummary summary;
+  for (const char* radar : {"a", "b"}) {
+    summary.add(detections(radar, 1.0, 10));
+    summary.add(of(radar, 21.0));
+  }
+  summary.add(detections("a", 80.0, 10));
+  EXPECT_EQ(summary.failure(), "");  // Who lags is not silent, and b has nothing to say.
+  summary.add(detections("a", 91.0, 10));
+  EXPECT_NE(summary.failure().find("tracker adit fell silent at 20.0 s, while a spoke until 90.0 s"),
+            std::string::npos);
+  summary.add(of("a", 90.0));
+  EXPECT_EQ(summary.failure(), "");
+}
+
 TEST(RunSummary, CountsDwellsAndMeasurementsOfEachArray) {
   tws_msgs::DwellReports period;
   period.radar = "esa";

@@ -60,7 +60,7 @@ class CommandLine(unittest.TestCase):
     # If this fails, a replay ends by writing over the bag that it has just played.
     def test_a_bag_is_not_recorded_over_itself(self):
         self.refused(1, f"{self.bag}: is the input itself", INSPECT, "launch", self.bag, f"record:={self.bag}")
-        self.refused(1, "name another folder by --out", TWS, "replay", self.bag, "--out", self.folder)
+        self.refused(1, "name another folder by --out", INSPECT, "plan", "replay", self.bag, "--out", self.folder)
         self.refused(1, "no regular file", INSPECT, "launch", self.bag, "record:=/dev/null")
 
     # If this fails, the progress of a shortened run ends at some odd per cent.
