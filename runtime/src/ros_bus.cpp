@@ -19,6 +19,7 @@
 #include "backlog.h"
 #include "counter_set.h"
 #include "data_timers.h"
+#include "loopback_only.h"
 #include "process_subscriptions.h"
 #include "static_transforms.h"
 #include "topic_name.h"
@@ -194,6 +195,7 @@ class RosBus::Impl {
 };
 
 RosBus::RosBus(const ros::NodeHandle& private_handle) : impl_(std::make_unique<Impl>(private_handle)) {
+  keepOnLoopback();
   subscribe<tf2_msgs::TFMessage>("/tf_static", [this](const auto& message) { impl_->onStaticTransforms(message); });
 }
 

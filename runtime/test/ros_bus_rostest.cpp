@@ -1,7 +1,9 @@
 #include <diagnostic_msgs/DiagnosticArray.h>
 #include <gtest/gtest.h>
 #include <nodelet/loader.h>
+#include <ros/network.h>
 #include <ros/ros.h>
+#include <ros/xmlrpc_manager.h>
 #include <rosgraph_msgs/Clock.h>
 #include <tws_runtime/local_graph.h>
 #include <tws_runtime/lock_step.h>
@@ -9,6 +11,9 @@
 #include <tws_runtime/ros_bus.h>
 #include <tws_runtime/run.h>
 
+#include <net/if.h>
+#include <netinet/in.h>
+#include <sys/socket.h>
 #include <sys/wait.h>
 
 #include <cstdio>
@@ -208,6 +213,27 @@ TEST_F(RosBusTest, SubscribersOfTheSameProcessAreCountedOneByOne) {
 }
 
 // If this fails, two nodes that disagree about a topic's type talk past each other.
+// If this fails, anybody in the network can end a node that was told to be for this machine alone: roscpp opens each
+// node's XML-RPC port to all.
+TEST_F(RosBusTest, TheXmlRpcPortOfANodeOnLocalhostIsReachedThroughTheLoopbackOnly) {
+  if (ros::network::getHost() != "localhost") GTEST_SKIP() << "this machine's name is " << ros::network::getHost();
+  const RosBus bus{ros::NodeHandle("~")};
+  int found = 0;
+  for (int file = 3; file < 1024; ++file) {
+    sockaddr_in address{};
+    socklen_t size = sizeof address;
+    if (::getsockname(file, reinterpret_cast<sockaddr*>(&address), &size) != 0 || address.sin_family != AF_INET ||
+        ntohs(address.sin_port) != ros::XMLRPCManager::instance()->getServerPort())
+      continue;
+    char device[IFNAMSIZ] = "";
+    size = sizeof device;
+    ASSERT_EQ(::getsockopt(file, SOL_SOCKET, SO_BINDTODEVICE, device, &size), 0);
+    EXPECT_STREQ(device, "lo");
+    ++found;
+  }
+  EXPECT_GE(found, 1);
+}
+
 TEST_F(RosBusTest, ATopicOfAnotherTypeIsRefused) {
   RosBus bus(ros::NodeHandle("/types"));
   const auto publisher = bus.advertise<tws_msgs::Detections>("/typed");
