@@ -24,7 +24,7 @@ TEST(LockStep, ACommandTakesEffectAtItsStampPlusTheLatencyHoweverEarlyItCame) {
 // If this fails, one bad stamp of a command ends the simulator.
 TEST(LockStep, AStampAtTheEndOfTimeIsNotDue) {
   LockStep<std::string> loop(ros::Duration(0.2));
-  loop.hear(ros::TIME_MAX, "a");
+  loop.add(ros::TIME_MAX, "a");
   EXPECT_EQ(loop.takeDue(at(10.0)), Commands{});
 }
 
