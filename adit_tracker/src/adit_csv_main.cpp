@@ -104,6 +104,9 @@ Input inputOf(const Options& options, PlotTable& table) {
     const auto& plots = table.radars[spec.id];
     if (plots.empty()) throw std::runtime_error(options.detections + ": there is no plot of radar " + spec.id);
     const tws::Rotation rotation = rotationOf(spec, plots);
+    for (const double time : rotation.breaks())
+      std::fprintf(stderr, "radar %s: beam break at %.1f s: another speed or phase, or its clock was set\n",
+                   spec.id.c_str(), time);
     input.params.radars.push_back(paramsOf(spec.id, given));
     input.params.radars.back().period = rotation.period();
     input.first_time = std::min(input.first_time, plots.front().time);

@@ -143,6 +143,7 @@ AsterixParams readUdpParams(ParameterReader reader) {
   reader.require("udp");
   reader.text("udp", addresses);
   reader.text("senders", senders);
+  reader.number("most_latency_s", params.most_latency, 0.0, 60.0);
   readCommon(reader, params);
   reader.done();
   params.feed.sectors.steady = true;  // What comes in bursts reaches its listeners topic by topic, out of step.

@@ -40,6 +40,7 @@ struct AsterixParams {
   std::map<SourceId, RadarSetting> radars;
   std::string main_radar;         // how a file's busiest radar, or the first one heard, is called; empty: as any other
   std::set<std::string> senders;  // addresses whose datagrams count; empty: all
+  double most_latency = 10.0;     // what the latency of a live feed grows to, where data come later [s]
   bool primary_only = false;
   double lookahead = 60.0;  // how far the file is read ahead [s]
   RadarFeed::Options feed;

@@ -2,6 +2,9 @@
 
 #include <tws_runtime/conversions.h>
 
+#include <algorithm>
+#include <cstdio>
+
 #include "feed_time.h"
 #include "radar_outlet.h"
 #include "udp_receiver.h"
@@ -19,7 +22,8 @@ class AsterixUdpNode::Impl {
       : bus_(bus),
         params_(readUdpParams(tws_runtime::ParameterReader(bus.parameters(), bus.name()))),
         outlet_(bus, params_),
-        feed_(DataClock(wallTime()), params_.feed, events()) {
+        feed_(DataClock(wallTime()), params_.feed, events()),
+        latency_(params_.feed.sectors.latency) {
     for (const UdpAddress& address : params_.udp) receivers_.emplace_back(address);
     for (const auto& [radar, setting] : params_.radars) outlet_.open(radar);
   }
@@ -43,7 +47,21 @@ class AsterixUdpNode::Impl {
     if (feed_.records() == before) return;
     const double wall = wallTime();
     time_.add(feed_.now(), wall);
+    adaptLatency();
     feed_.advance(time_.at(wall));
+  }
+
+  // It grows to what is usual, and stays: sectors that come later and earlier by turns help nobody.
+  void adaptLatency() {
+    constexpr double kMargin = 0.25, kStep = 0.25;  // [s]
+    const double needed = std::min(time_.delay() + kMargin, params_.most_latency);
+    if (needed < latency_ + kStep) return;
+    latency_ = needed;
+    feed_.setLatency(latency_);
+    char text[120];
+    std::snprintf(text, sizeof text, "data come %.2f s late: sectors are closed %.2f s behind the feed's time",
+                  time_.delay(), latency_);
+    bus_.counter("latency raised").add(text);
   }
 
   RadarFeed::Events events() {
@@ -64,6 +82,7 @@ class AsterixUdpNode::Impl {
   RadarOutlet outlet_;
   RadarFeed feed_;
   FeedTime time_;
+  double latency_;  // [s]
   std::vector<UdpReceiver> receivers_;
 };
 

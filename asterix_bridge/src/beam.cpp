@@ -14,6 +14,7 @@ namespace {
 
 constexpr double kTurnsKept = 12.0;
 constexpr double kOften = 1.0;            // learns at most [s]
+constexpr double kPatience = 60.0;        // [s]
 constexpr double kLongestSearch = 400.0;  // [s]
 constexpr double kLeastPeriod = 0.2;      // [s]
 constexpr double kGreatestPeriod = 120.0;
@@ -27,10 +28,26 @@ void Beam::add(double time, double azimuth) {
   if (latest_) break_.add(points_.back(), *latest_);
 }
 
+void Beam::addMark(double time, double azimuth) {
+  constexpr std::size_t kFew = 5, kMost = 16;
+  add(time, azimuth);
+  const auto before = mark_;
+  mark_ = tws::TimedAzimuth{time, azimuth};
+  if (!before) return;
+  const double width = tws::wrapTwoPi(azimuth - before->azimuth);
+  const double period = (time - before->time) * tws::kTwoPi / width;
+  if (width > tws::kPi || !isPeriod(period)) return;
+  periods_.push_back(period);
+  if (periods_.size() > kMost) periods_.pop_front();
+  std::vector<double> periods(periods_.begin(), periods_.end());
+  std::nth_element(periods.begin(), periods.begin() + static_cast<std::ptrdiff_t>(periods.size() / 2), periods.end());
+  if (periods.size() >= kFew && !line_ && nominal_ == 0.0) period_ = periods[periods.size() / 2];
+}
+
 // The period is the least of the last intervals but for jitter: a mark may be lost, seldom is one too many.
 void Beam::addNorth(double time) {
   constexpr std::size_t kMost = 8;
-  add(time, 0.0);
+  addMark(time, 0.0);
   if (!norths_.empty() && std::abs(time - norths_.back()) < kLeastPeriod / 2.0) return;  // north and sector mark in one
   norths_.push_back(time);
   if (norths_.size() > kMost) norths_.pop_front();
@@ -65,9 +82,11 @@ bool Beam::learn(double now, double fixed) {
   learned_ = now;
   const double turns = period_ ? kTurnsKept * *period_ : kLongestSearch;
   forgetBefore(line_ ? std::min(now - turns, fixed - turns / 2.0) : now - turns);
-  if (const auto rotation = fit()) {
-    steer(*rotation, fixed);
-    watch(*rotation);
+  if (auto rotation = fit()) {
+    rotation_ = std::move(rotation);
+    period_ = rotation_->period();
+    line_ ? followFrom(fixed) : begin();
+    watch();
   }
   return isKnown();
 }
@@ -86,21 +105,33 @@ std::optional<tws::Rotation> Beam::fit() const {
   } catch (const std::invalid_argument&) {
   }
   try {
-    if (!line_ && points.size() >= kEnough) return tws::Rotation::fromPlots(points);
+    if (line_ || points.size() < kEnough || isAboutToBeTold()) return std::nullopt;
+    const tws::Rotation found = tws::Rotation::fromPlots(points);
+    if (isBelievable(found.period())) return found;
   } catch (const std::invalid_argument&) {
   }
   return std::nullopt;
 }
 
+// Less than two points a turn may be plots at even steps of a slower antenna, of which more must be seen.
+bool Beam::isBelievable(double period) const {
+  const double span = points_.back().time - points_.front().time;
+  return static_cast<double>(points_.size()) * period > 2.0 * span || span > kPatience;
+}
+
+// Two north marks more, and the period is known for certain: plots at even steps agree with periods that are none.
+bool Beam::isAboutToBeTold() const {
+  return !period_ && !norths_.empty() && points_.back().time - norths_.front() < kPatience;
+}
+
 // How the beam turns by the latest of the data, and how far off that these are.
-void Beam::watch(const tws::Rotation& rotation) {
+void Beam::watch() {
   const double time = points_.back().time;
-  const double period = rotation.period();
-  const double azimuth = rotation.unwrappedAt(time);
-  latest_ = tws::SteadyBeam{time, azimuth, (azimuth - rotation.unwrappedAt(time - period)) / period};
+  const double azimuth = rotation_->unwrappedAt(time);
+  latest_ = tws::SteadyBeam{time, azimuth, (azimuth - rotation_->unwrappedAt(time - *period_)) / *period_};
   std::vector<double> residuals;
   for (const auto& point : points_)
-    residuals.push_back(std::abs(tws::angularDifference(point.azimuth, rotation.unwrappedAt(point.time))));
+    residuals.push_back(std::abs(tws::angularDifference(point.azimuth, rotation_->unwrappedAt(point.time))));
   const auto middle = residuals.begin() + static_cast<std::ptrdiff_t>(residuals.size() / 2);
   std::nth_element(residuals.begin(), middle, residuals.end());
   break_.setScatter(*middle);
@@ -115,9 +146,12 @@ std::optional<tws::SteadyBeam> Beam::findBreak() {
 
 void Beam::turnAlong(const tws::SteadyBeam& line) {
   line_ = latest_ = line;
+  rotation_.reset();
   period_ = tws::kTwoPi / line.rate;
   points_ = break_.reports();
   norths_.clear();
+  mark_.reset();
+  periods_.clear();
   break_.clear();
 }
 
@@ -152,25 +186,40 @@ std::string Beam::whyUnknown() const {
   }
 }
 
-void Beam::steer(const tws::Rotation& rotation, double fixed) {
-  const double time = line_ ? fixed : points_.back().time;
+namespace {
+
+double rateAt(const tws::Rotation& rotation, double time) {
   const double period = rotation.period();
-  const double azimuth = rotation.unwrappedAt(time);
-  const double rate = (rotation.unwrappedAt(time + period) - azimuth) / period;
-  period_ = period;
-  if (line_) {
-    const double now = azimuthAt(time);
-    const double error = tws::angularDifference(azimuth, now);
-    line_ = tws::SteadyBeam{time, now, rate + error / std::max(period, kOften)};
-    return;
-  }
+  return (rotation.unwrappedAt(time + period) - rotation.unwrappedAt(time)) / period;
+}
+
+}  // namespace
+
+void Beam::begin() {
+  const double time = points_.back().time;
+  const double azimuth = rotation_->unwrappedAt(time);
   // One turn more, so that a report a little before the first one has no negative azimuth.
-  double start = azimuth + tws::kTwoPi * (1.0 - std::floor(rotation.unwrappedAt(points_.front().time) / tws::kTwoPi));
+  const double first = rotation_->unwrappedAt(points_.front().time);
+  double start = azimuth + tws::kTwoPi * (1.0 - std::floor(first / tws::kTwoPi));
   if (before_interruption_) {
     const double expected = before_interruption_->azimuthAt(time);
     start = expected + tws::angularDifference(azimuth, expected);
   }
-  line_ = tws::SteadyBeam{time, start, rate};
+  line_ = tws::SteadyBeam{time, start, rateAt(*rotation_, time)};
+}
+
+void Beam::followFrom(double time) {
+  if (!rotation_) return;
+  const double now = azimuthAt(time);
+  const double error = tws::angularDifference(rotation_->unwrappedAt(time), now);
+  line_ = tws::SteadyBeam{time, now, rateAt(*rotation_, time) + error / std::max(*period_, kOften)};
+}
+
+void Beam::startAt(double time) {
+  if (!rotation_) return;
+  const double near = azimuthAt(time);
+  const double azimuth = near + tws::angularDifference(rotation_->unwrappedAt(time), near);
+  line_ = tws::SteadyBeam{time, azimuth, rateAt(*rotation_, time)};
 }
 
 void Beam::forgetBefore(double time) {
@@ -180,11 +229,14 @@ void Beam::forgetBefore(double time) {
 void Beam::interrupt() {
   if (line_) before_interruption_ = line_;
   line_.reset();
+  rotation_.reset();
   latest_.reset();
   break_.clear();
   learned_.reset();
   points_.clear();
   norths_.clear();
+  mark_.reset();
+  periods_.clear();
 }
 
 }  // namespace asterix_bridge

@@ -18,6 +18,8 @@ class Beam {
  public:
   /// The beam pointed there at this time [s, rad]. Times may come a little out of order.
   void add(double time, double azimuth);
+  /// The same for a mark as the beam enters a sector; several in a row show the period.
+  void addMark(double time, double azimuth);
   /// The same for a north mark.
   void addNorth(double time);
   /// As the radar says it [s].
@@ -29,6 +31,11 @@ class Beam {
   /// The same at once: there will be no more.
   bool learnNow(double now, double fixed);
   bool isKnown() const { return line_.has_value(); }
+
+  /// Sectors are used up to this time [s]: from there on the beam is drawn to what was learned last.
+  void followFrom(double time);
+  /// None is used yet: the beam is where what was learned last has it at this time [s].
+  void startAt(double time);
 
   /// [rad], unwrapped, and its inverse [s]. The beam must be known.
   double azimuthAt(double time) const { return line_->azimuthAt(time); }
@@ -54,15 +61,20 @@ class Beam {
 
  private:
   std::optional<tws::Rotation> fit() const;
-  void steer(const tws::Rotation& rotation, double fixed);
+  void begin();
+  bool isAboutToBeTold() const;
+  bool isBelievable(double period) const;
   void forgetBefore(double time);
-  void watch(const tws::Rotation& rotation);
+  void watch();
   bool isDue(double now) const;
 
   std::deque<tws::TimedAzimuth> points_;
   std::deque<double> norths_;
+  std::optional<tws::TimedAzimuth> mark_;  // the latest
+  std::deque<double> periods_;             // as pairs of marks show them
   std::optional<double> period_;
-  double nominal_ = 0.0;  // as the radar says it
+  double nominal_ = 0.0;                   // as the radar says it
+  std::optional<tws::Rotation> rotation_;  // as learned last
   std::optional<tws::SteadyBeam> line_;
   std::optional<tws::SteadyBeam> before_interruption_;
   std::optional<tws::SteadyBeam> latest_;  // as it turns where the data are by now; `line_` is where they are used

@@ -115,6 +115,30 @@ TEST(Beam, OfAFastAntennaIsFollowedEvenly) {
   EXPECT_NEAR(beam.period(), 0.4, 1e-3);
 }
 
+// Twenty plots a turn at even steps agree with a turn in 0.19 s as well.
+TEST(Beam, IsNotMistakenForAFasterOneByPlotsAtEvenSteps) {
+  for (const bool with_norths : {true, false}) {
+    Beam beam;
+    for (int i = 0; i < 200; ++i) {
+      const double time = 1000.0 + 0.2 * i;
+      if (with_norths && i % 20 == 0) beam.addNorth(time);
+      beam.add(time + 0.01, tws::wrapTwoPi(truth(time + 0.01)));
+      if (beam.learn(time, 1000.0)) {
+        ASSERT_NEAR(beam.period(), kPeriod, 0.01) << with_norths << ' ' << time;
+      }
+    }
+    EXPECT_TRUE(beam.isKnown()) << with_norths;
+  }
+}
+
+// A live picture should begin in less than a turn.
+TEST(Beam, IsKnownFromAFewSectorMarks) {
+  Beam beam;
+  for (int mark = 0; mark < 20; ++mark) beam.addMark(1000.0 + mark * 0.125, tws::kTwoPi * mark / 32.0);
+  ASSERT_TRUE(beam.learn(1002.5, 1000.0));
+  EXPECT_NEAR(beam.period(), kPeriod, 1e-3);
+}
+
 TEST(Beam, IsNotInventedFromPlotsAnywhere) {
   std::mt19937 random(9);
   std::uniform_real_distribution<double> azimuth(0.0, tws::kTwoPi);

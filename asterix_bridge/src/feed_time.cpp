@@ -25,12 +25,18 @@ void FeedTime::add(double data, double wall) {
   if (is_new_run || wall - since_ > kMinute) {
     last_leads_ = is_new_run ? Leads{} : leads_;
     leads_ = {};
+    last_delays_ = is_new_run ? Leads{} : delays_;
+    delays_ = {};
     since_ = wall;
     behind_ = 0;
   }
   leads_.add(lead);
+  const double delay = at(wall) - data;
+  if (delay < kMinute) delays_.add(std::max(delay, 0.0));
 }
 
 double FeedTime::at(double wall) const { return wall + std::max(leads_.confirmed(), last_leads_.confirmed()); }
+
+double FeedTime::delay() const { return std::max({delays_.confirmed(), last_delays_.confirmed(), 0.0}); }
 
 }  // namespace asterix_bridge

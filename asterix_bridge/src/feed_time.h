@@ -14,10 +14,12 @@ class FeedTime {
   void add(double data, double wall);
   /// The feed's time at a time of this machine's clock [s]. Something must have been added.
   double at(double wall) const;
+  /// How far behind the feed's time data come [s], 0 .. 60: by the last minute or two, and by several datagrams.
+  double delay() const;
 
  private:
   static constexpr std::size_t kConfirmed = 4;
-  // The greatest leads of a minute, the greatest first.
+  // The greatest leads (or delays) of a minute, the greatest first.
   struct Leads {
     std::array<double, kConfirmed> greatest;
     std::size_t count = 0;
@@ -27,6 +29,7 @@ class FeedTime {
   };
 
   Leads leads_, last_leads_;
+  Leads delays_, last_delays_;
   double since_ = -std::numeric_limits<double>::infinity();  // this minute began [s]
   std::size_t behind_ = 0;                                   // datagrams in a row from another run
 };

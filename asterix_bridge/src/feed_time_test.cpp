@@ -35,5 +35,19 @@ TEST(FeedTime, FollowsAFeedThatJumps) {
   }
 }
 
+// If this fails, the plots of a radar that sends them seconds after its marks are late for their sectors.
+TEST(FeedTime, LearnsHowLateDataCome) {
+  FeedTime time;
+  play(time, 1000.0, 1030.0);
+  EXPECT_NEAR(time.delay(), 0.0, 0.01);
+  time.add(1030.0 - 5.5, 1030.0);
+  EXPECT_NEAR(time.delay(), 0.0, 0.01);  // one is no habit
+  for (double wall = 1030.0; wall < 1040.0; wall += 0.5) {
+    time.add(wall - 0.5, wall);
+    time.add(wall - 3.5, wall);
+  }
+  EXPECT_NEAR(time.delay(), 3.0, 0.01);
+}
+
 }  // namespace
 }  // namespace asterix_bridge

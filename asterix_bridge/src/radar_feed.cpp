@@ -26,6 +26,11 @@ void RadarFeed::advance(double now) {
   for (auto& [radar, cutter] : cutters_) cutter.advance(now);
 }
 
+void RadarFeed::setLatency(double latency) {
+  options_.sectors.latency = latency;
+  for (auto& [radar, cutter] : cutters_) cutter.setLatency(latency);
+}
+
 void RadarFeed::finish() {
   stream_.finish();
   for (auto& [radar, cutter] : cutters_) cutter.finish();

@@ -38,6 +38,8 @@ class RadarFeed {
   void add(const FramingStep& step, const std::string& origin);
   /// The feed has come to this time since 1970 [s], by a clock that goes on without data.
   void advance(double now);
+  /// From now on, see SectorCutter::Options [s].
+  void setLatency(double latency);
   /// The end of a file: what waits comes out.
   void finish();
   /// Where the feed is now, since 1970 [s].

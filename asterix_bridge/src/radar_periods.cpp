@@ -27,7 +27,7 @@ class Periods {
     radar->beam.setNominalPeriod(message.antenna_period);
     if (message.type == kNorthMarker) radar->beam.addNorth(time);
     if (message.type == kSectorCrossing && !std::isnan(message.sector_azimuth))
-      radar->beam.add(time, message.sector_azimuth);
+      radar->beam.addMark(time, message.sector_azimuth);
   }
   std::map<SourceId, double> finish() {
     std::map<SourceId, double> periods;

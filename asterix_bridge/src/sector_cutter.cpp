@@ -54,7 +54,7 @@ void SectorCutter::placeAll() {
 
 void SectorCutter::mark(double time, double azimuth) {
   if (!isPossible(time)) return;
-  azimuth == 0.0 ? beam_.addNorth(time) : beam_.add(time, azimuth);
+  azimuth == 0.0 ? beam_.addNorth(time) : beam_.addMark(time, azimuth);
 }
 
 // A time far from the radar's others is wrong, unless those that follow agree with it.
@@ -149,6 +149,7 @@ void SectorCutter::finish() {
     return reports_.clear();
   }
   if (!running_) start();
+  if (!beam_.doubtfulSince()) beam_.learnNow(*newest_, enter_time_);
   while (enter_time_ <= *newest_) close();
 }
 
@@ -174,18 +175,24 @@ void SectorCutter::start() {
   if (lost > 0) events_.fault("reports before the beam was known", std::to_string(lost) + " before " + seconds(oldest));
   reports_.erase(reports_.begin(), first);
   earliest_ = std::max(*earliest_, oldest);
+  beam_.startAt(followed_ = *earliest_);
   beam_.raise(*earliest_, static_cast<double>(next_) * tws::kSectorWidth);
   running_ = static_cast<std::int64_t>(std::floor(beam_.azimuthAt(*earliest_) / tws::kSectorWidth));
   enter_time_ = beam_.timeAt(static_cast<double>(*running_) * tws::kSectorWidth);
 }
 
+// What is released at once may be many turns: the beam is followed through them.
 void SectorCutter::close() {
+  constexpr double kAtLeast = 1.0;  // [s]
   CutSector sector;
   sector.running = *running_;
   sector.sector = static_cast<int>(((*running_ % tws::kSectors) + tws::kSectors) % tws::kSectors);
   sector.enter_time = enter_time_;
   next_ = *running_ + 1;
   running_ = next_;
+  if (sector.enter_time - followed_ > std::max(kAtLeast, beam_.period())) {
+    beam_.followFrom(followed_ = sector.enter_time);
+  }
   enter_time_ = sector.leave_time = beam_.timeAt(static_cast<double>(*running_) * tws::kSectorWidth);
   sector.period = beam_.period();
   const auto first = reports_.begin();

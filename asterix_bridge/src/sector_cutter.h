@@ -54,6 +54,7 @@ class SectorCutter {
   void mark(double time, double azimuth);
   /// As the radar says it [s].
   void setNominalPeriod(double period) { beam_.setNominalPeriod(period); }
+  void setLatency(double latency) { options_.latency = latency; }
   /// The feed has come to this time [s]: the sectors that are then complete come out.
   void advance(double feed_time);
   /// There will be no more: all that is left comes out, up to the sector of the last report.
@@ -79,6 +80,7 @@ class SectorCutter {
   std::optional<double> earliest_;
   std::optional<double> feed_time_;      // of a live feed [s]
   std::optional<std::int64_t> running_;  // the open sector
+  double followed_ = 0.0;                // the beam was drawn to what is known of it [s]
   std::int64_t next_ = 0;                // behind the last one closed
   double enter_time_ = 0.0;
   int impossible_ = 0;  // in a row

@@ -134,7 +134,7 @@ TEST_F(SectorCutterTest, BeginsAnewWhenTimeGoesBackForGood) {
   play(kStart, kStart + 40.0);
   cutter_.finish();
   EXPECT_EQ(faults_["new runs"], 1);
-  EXPECT_EQ(reports(), 796u);                   // but for the four before it was certain
+  EXPECT_EQ(reports(), 797u);                   // but for those before it was certain
   EXPECT_EQ(sectors_.back().running / 64, 10);  // from the second turn on
   EXPECT_NEAR(sectors_.back().leave_time, kStart + 40.0, 0.1);
 }

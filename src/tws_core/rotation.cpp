@@ -23,6 +23,7 @@ struct BeamLine {
   double time;
   double azimuth;
   double rate;
+  double scatter = 0.0;  // median of how far its plots are off [rad]
   double at(double t) const { return azimuth + rate * (t - time); }
 };
 
@@ -90,23 +91,49 @@ BeamLine fitMost(BeamLine line, const TimedAzimuth* first, const TimedAzimuth* l
   return line;
 }
 
+double azimuthAtZero(const TimedAzimuth* first, const TimedAzimuth* last, double frequency) {
+  return std::arg(PlotWindow(first, last).resultant(frequency));
+}
+
+// A line through one half of plots that lie along two is none.
+bool explains(const BeamLine& line, const TimedAzimuth* first, const TimedAzimuth* last) {
+  constexpr double kNear = kPi / 4.0, kMost = 0.65;
+  const auto is_near = [&](const TimedAzimuth& p) { return std::abs(wrapPi(p.azimuth - line.at(p.time))) < kNear; };
+  return static_cast<double>(std::count_if(first, last, is_near)) >= kMost * static_cast<double>(last - first);
+}
+
 // The beam through a window of plots; nothing when most of them do not lie along one.
 std::optional<BeamLine> fitLine(const TimedAzimuth* first, const TimedAzimuth* last, double frequency) {
   constexpr double kLeastCoherence = 0.4;
   const CoherencePeak peak = peakNear(first, last, frequency, kGreatestDrift);
-  if (peak.coherence < kLeastCoherence) return std::nullopt;
-  const double azimuth = std::arg(PlotWindow(first, last).resultant(peak.frequency));
+  if (peak.coherence < kLeastCoherence ||
+      !explains({0.0, azimuthAtZero(first, last, peak.frequency), kTwoPi * peak.frequency}, first, last))
+    return std::nullopt;
+  const double azimuth = azimuthAtZero(first, last, peak.frequency);
   const bool keep_rate = ((last - 1)->time - first->time) * frequency < 3.0;  // too short to tell it
-  const BeamLine line = fitMost({0.0, azimuth, kTwoPi * peak.frequency}, first, last, keep_rate);
+  BeamLine line = fitMost({0.0, azimuth, kTwoPi * peak.frequency}, first, last, keep_rate);
+  line.scatter = medianResidual(line, first, last);
   if (std::abs(line.rate / (kTwoPi * frequency) - 1.0) > 2.0 * kGreatestDrift) return std::nullopt;
   return line;
+}
+
+// The same where the antenna turns at another speed than elsewhere.
+std::optional<BeamLine> fitLineAtAnySpeed(const TimedAzimuth* first, const TimedAzimuth* last, double frequency) {
+  constexpr double kTimes = 3.0;
+  if (const auto line = fitLine(first, last, frequency)) return line;
+  try {
+    const double other = findFrequency(Plots(first, last));
+    if (other > frequency / kTimes && other < frequency * kTimes) return fitLine(first, last, other);
+  } catch (const std::invalid_argument&) {
+  }
+  return std::nullopt;
 }
 
 // Ten turns [s], more where plots are few.
 double windowLength(const Plots& plots, double frequency) {
   constexpr double kTurns = 10.0;
   constexpr double kPlots = 20.0;
-  const double sparse = kPlots * plots.back().time / static_cast<double>(plots.size());
+  const double sparse = kPlots * seenSpan(plots, 1.0 / frequency) / static_cast<double>(plots.size());
   return std::clamp(sparse, kTurns / frequency, 20.0 * kTurns / frequency);
 }
 
@@ -128,7 +155,7 @@ std::vector<BeamLine> localLines(const Plots& plots, double frequency, double le
     const TimedAzimuth* const last = firstNotBefore(first, end, first->time + length * 1.000001);
     const bool long_enough = (last - 1)->time - first->time >= std::min(length / 2.0, span);
     if (long_enough && static_cast<std::size_t>(last - first) >= std::min(kLeastPlots, plots.size())) {
-      const std::optional<BeamLine> line = fitLine(first, last, frequency);
+      const std::optional<BeamLine> line = fitLineAtAnySpeed(first, last, frequency);
       if (line) append(lines, *line, length);
     }
     first = last == end ? end : firstNotBefore(first, end, first->time + length / 2.0);
@@ -136,14 +163,67 @@ std::vector<BeamLine> localLines(const Plots& plots, double frequency, double le
   return lines;
 }
 
-// Counts the whole turns from line to line, by the mean of both rates.
-void unwrap(std::vector<BeamLine>& lines) {
+// A line across a break lies far from its plots; without it the break is seen between its neighbours.
+void dropWorst(std::vector<BeamLine>& lines) {
+  constexpr double kTimes = 4.0, kLeast = radians(2.0);
+  if (lines.size() < 3) return;
+  std::vector<double> scatters;
+  for (const BeamLine& line : lines) scatters.push_back(line.scatter);
+  const double most = std::max(kLeast, kTimes * median(std::move(scatters)));
+  lines.erase(std::remove_if(lines.begin(), lines.end(), [&](const BeamLine& line) { return line.scatter > most; }),
+              lines.end());
+}
+
+// How far plots are from the beam in all, outliers no more than others.
+double misfit(double residual) { return std::min(std::abs(wrapPi(residual)), radians(20.0)); }
+
+// Where the beam went over from one line to the next; nothing: it went evenly. `between`: the plots amid both.
+std::optional<double> breakBetween(const BeamLine& before, const BeamLine& line, const Plots& between) {
+  constexpr double kClearly = radians(5.0), kLess = 0.5;
+  if (between.size() < 4) return std::nullopt;
+  const double turns = line.azimuth - before.azimuth;
+  double even = 0.0, best = 0.0;
+  for (const TimedAzimuth& plot : between) {
+    const double share = (plot.time - before.time) / (line.time - before.time);
+    even += misfit(plot.azimuth - before.azimuth - share * turns);
+    best += misfit(plot.azimuth - line.at(plot.time));
+  }
+  std::size_t first_after = 0;
+  double sum = best;
+  for (std::size_t i = 0; i < between.size(); ++i) {
+    const TimedAzimuth& plot = between[i];
+    sum += misfit(plot.azimuth - before.at(plot.time)) - misfit(plot.azimuth - line.at(plot.time));
+    if (sum < best) {
+      best = sum;
+      first_after = i + 1;
+    }
+  }
+  if (even < kClearly * static_cast<double>(between.size()) || best > kLess * even) return std::nullopt;
+  if (first_after == 0 || first_after == between.size()) return std::nullopt;
+  return (between[first_after - 1].time + between[first_after].time) / 2.0;
+}
+
+Plots plotsBetween(const Plots& plots, double start, double end) {
+  const TimedAzimuth* const last = plots.data() + plots.size();
+  return Plots(firstNotBefore(plots.data(), last, start), firstNotBefore(plots.data(), last, end));
+}
+
+// Counts the whole turns from line to line, by the mean of both rates; over a break, the fewest. The breaks' times
+// stand for the line behind them, NaN: none.
+std::vector<double> unwrap(std::vector<BeamLine>& lines, const Plots& plots, double longest) {
+  std::vector<double> breaks(lines.size(), std::nan(""));
   for (std::size_t i = 1; i < lines.size(); ++i) {
     const BeamLine& before = lines[i - 1];
     BeamLine& line = lines[i];
     const double expected = before.azimuth + (line.time - before.time) * (before.rate + line.rate) / 2.0;
     line.azimuth = expected + wrapPi(line.azimuth - expected);
+    if (line.time - before.time > longest) continue;
+    const auto at = breakBetween(before, line, plotsBetween(plots, before.time, line.time));
+    if (!at) continue;
+    breaks[i] = *at;
+    line.azimuth += kTwoPi * std::ceil((before.at(*at) + radians(0.1) - line.at(*at)) / kTwoPi);
   }
+  return breaks;
 }
 
 }  // namespace
@@ -186,8 +266,9 @@ Rotation Rotation::follow(const std::vector<TimedAzimuth>& plots, double frequen
   if (lines.empty()) {
     throw std::invalid_argument("Rotation: the plots lie along a beam nowhere for ten turns, or are too few there");
   }
+  dropWorst(lines);
   lines.front().azimuth += wrapTwoPi(lines.front().at(0.0)) - lines.front().at(0.0);
-  unwrap(lines);
+  const std::vector<double> breaks = unwrap(lines, plots, 2.0 * length);
   std::vector<Knot> knots;
   const auto add = [&](const BeamLine& line, double time) { knots.push_back({start + time, line.at(time)}); };
   add(lines.front(), lines.front().time - length / 2.0);
@@ -195,10 +276,17 @@ Rotation Rotation::follow(const std::vector<TimedAzimuth>& plots, double frequen
     const bool after_gap = i > 0 && lines[i].time - lines[i - 1].time > 2.0 * length;
     if (after_gap) add(lines[i - 1], lines[i - 1].time + length / 2.0);
     if (after_gap) add(lines[i], lines[i].time - length / 2.0);
+    if (!std::isnan(breaks[i])) {
+      constexpr double kLeap = 0.0005;  // [s], half of it
+      add(lines[i - 1], breaks[i] - kLeap);
+      add(lines[i], breaks[i] + kLeap);
+    }
     add(lines[i], lines[i].time);
   }
   add(lines.back(), lines.back().time + length / 2.0);
   Rotation rotation(std::move(knots));
+  for (const double time : breaks)
+    if (!std::isnan(time)) rotation.breaks_.push_back(start + time);
   checkThatItExplains(rotation, plots, start);
   return rotation;
 }

@@ -20,10 +20,10 @@ class Rotation {
   static Rotation uniform(double period, double azimuth_at_zero);
 
   /// Finds period (0.2..120 s) and phase from the plots of one radar alone, in any order, then follows the slow drift
-  /// of the real rotation. At least 20 plots over three turns are needed, and most must lie where the beam was. The
-  /// unwrapped azimuth is in [0, 2π) at the first plot. Plots that do not tell a period from its fractions (all at one
-  /// azimuth) get the longest. Throws std::invalid_argument that says why when the plots show no rotation, or one has
-  /// a time beyond ±1e10 s or an azimuth that is not finite.
+  /// of the real rotation, and its breaks. At least 20 plots over three turns are needed, and most must lie where the
+  /// beam was. The unwrapped azimuth is in [0, 2π) at the first plot. Plots that do not tell a period from its
+  /// fractions (all at one azimuth) get the longest. Throws std::invalid_argument that says why when the plots show no
+  /// rotation, or one has a time beyond ±1e10 s or an azimuth that is not finite.
   static Rotation fromPlots(std::vector<TimedAzimuth> plots);
   /// The same with a known nominal period in 0.01..100000 s, right to about 2 %: five plots are enough, and less than
   /// three turns of them give the phase alone.
@@ -31,6 +31,9 @@ class Rotation {
 
   /// The mean [s] over the time seen.
   double period() const;
+  /// The times [s] at which the beam did not go on as before: another speed or phase, or the radar's clock was set.
+  /// There the unwrapped azimuth leaps within a millisecond.
+  const std::vector<double>& breaks() const { return breaks_; }
   /// The beam's unwrapped azimuth [rad] at a time [s].
   double unwrappedAt(double time) const;
   /// The time [s] at which the beam stood there: the inverse of unwrappedAt.
@@ -45,6 +48,7 @@ class Rotation {
   explicit Rotation(std::vector<Knot> knots) : knots_(std::move(knots)) {}
   static Rotation follow(const std::vector<TimedAzimuth>& plots, double frequency, double start);
 
+  std::vector<double> breaks_;
   std::vector<Knot> knots_;  // two or more, both members strictly increasing
 };
 

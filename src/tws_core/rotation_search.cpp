@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <sstream>
 #include <stdexcept>
 
@@ -78,7 +79,7 @@ Windows windowsOf(const Plots& plots, double duration) {
 // Windows short enough that drift does no harm and long enough for 60 plots, so that chance finds no coherence.
 double windowDuration(const Plots& plots, double longest_period) {
   const double span = spanOf(plots);
-  const double sparse = 60.0 * span / static_cast<double>(plots.size());
+  const double sparse = 60.0 * seenSpan(plots, longest_period) / static_cast<double>(plots.size());
   return std::min(span, std::clamp(sparse, 8.0 * longest_period, 200.0 * longest_period));
 }
 
@@ -149,6 +150,7 @@ CoherencePeak greatestOf(const std::vector<CoherencePeak>& peaks) {
   return *std::max_element(peaks.begin(), peaks.end(), Band::less);
 }
 
+// Plots at even steps of time agree with several periods alike; the longest is the one that they show without leaps.
 // Plots at few azimuths agree with fractions of the period as well, with false plots by chance even better, but not
 // with its multiples: of the greatest peak and those it may be a fraction of, the one with the longest period.
 double fundamentalOf(const std::vector<CoherencePeak>& peaks) {
@@ -158,7 +160,8 @@ double fundamentalOf(const std::vector<CoherencePeak>& peaks) {
     const double ratio = greatest.frequency / peak.frequency;
     // A peak among false plots may be 1 % off.
     const bool is_multiple = ratio > 1.5 && std::abs(ratio - std::round(ratio)) < 0.05 + 0.01 * ratio;
-    if (is_multiple && peak.coherence > 0.7 * greatest.coherence) frequency = std::min(frequency, peak.frequency);
+    const double needed = is_multiple ? 0.7 : 0.98;
+    if (peak.coherence > needed * greatest.coherence) frequency = std::min(frequency, peak.frequency);
   }
   return frequency;
 }
@@ -191,12 +194,25 @@ PlotWindow::PlotWindow(const TimedAzimuth* first, const TimedAzimuth* last)
 std::complex<double> PlotWindow::resultant(double frequency) const {
   double cosines = 0.0;
   double sines = 0.0;
-  for (std::size_t i = 0; i < size_; i += stride_) {
+  std::uint32_t random = 1;  // at even steps, plots of a few targets would show turns that are none
+  for (std::size_t i = 0; i < size_;) {
     const double angle = first_[i].azimuth - kTwoPi * frequency * first_[i].time;
     cosines += std::cos(angle);
     sines += std::sin(angle);
+    random = random * 1664525U + 1013904223U;
+    i += stride_ == 1 ? 1 : 1 + (random >> 8) % (2 * stride_ - 1);
   }
   return {cosines, sines};
+}
+
+double seenSpan(const std::vector<TimedAzimuth>& plots, double period) {
+  constexpr double kTurns = 100.0;
+  double span = 0.0;
+  for (std::size_t i = 1; i < plots.size(); ++i) {
+    const double interval = plots[i].time - plots[i - 1].time;
+    if (interval < kTurns * period) span += interval;
+  }
+  return span;
 }
 
 const TimedAzimuth* firstNotBefore(const TimedAzimuth* first, const TimedAzimuth* last, double time) {

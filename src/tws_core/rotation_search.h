@@ -32,6 +32,9 @@ class PlotWindow {
 /// The first of the plots, which are in order of time, that is not before the time [s].
 const TimedAzimuth* firstNotBefore(const TimedAzimuth* first, const TimedAzimuth* last, double time);
 
+/// How long plots in order of time were seen [s], without gaps of a hundred turns of `period` [s] or more.
+double seenSpan(const std::vector<TimedAzimuth>& plots, double period);
+
 /// The most coherent frequency within the share `tolerance` of `frequency`, of plots in order of time;
 /// `frequency` itself when they last less than three turns.
 CoherencePeak peakNear(const TimedAzimuth* first, const TimedAzimuth* last, double frequency, double tolerance);

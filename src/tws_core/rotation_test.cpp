@@ -83,7 +83,8 @@ TEST(Rotation, TurnsEvenlyWhenPeriodAndPhaseAreGiven) {
 // Half or twice the period would put every plot into the wrong scan.
 TEST(Rotation, IsFoundForEveryPeriodFromMarineToLongRangeRadars) {
   auto generator = seededGenerator();
-  for (const double period : {1.0, 1.25, 2.4, 4.008, 6.0, 8.0, 10.0, 12.5, 15.9, 20.0, 30.0, 45.0, 60.0}) {
+  for (const double period :
+       {0.2, 0.4, 1.0, 1.25, 2.4, 4.008, 6.0, 8.0, 10.0, 12.5, 15.9, 20.0, 30.0, 45.0, 60.0, 120.0}) {
     for (const double per_turn : {4.0, 40.0}) {
       const Turning beam = even(period, uniform(generator, 0.0, kTwoPi));
       const double end = 40.0 * period;
@@ -175,6 +176,41 @@ TEST(Rotation, DoesNotDependOnTheOrderOfThePlotsNorOnTheEpoch) {
   EXPECT_EQ(Rotation::fromPlots(plots).unwrappedAt(100.0), rotation.unwrappedAt(100.0));
   for (TimedAzimuth& plot : plots) plot.time += kEpoch;
   EXPECT_NEAR(Rotation::fromPlots(plots).unwrappedAt(kEpoch + 100.0), rotation.unwrappedAt(100.0), 1e-5);
+}
+
+// If this fails, every track ends when an antenna changes its speed, is restarted, or its radar's clock is set.
+TEST(Rotation, GoesOnBehindABreak) {
+  auto generator = seededGenerator();
+  struct Case {
+    double period, jump;
+  };
+  for (const Case& c : {Case{5.0, 0.0}, Case{3.2, 0.0}, Case{4.0, 1.5}, Case{4.0, kPi}}) {
+    const Turning before = even(4.0, 1.0);
+    const Turning after = [&](double t) { return before(300.0) + c.jump + kTwoPi * (t - 300.0) / c.period; };
+    Plots plots = plotsOf(generator, before, 0.0, 300.0, 5.0, 0.1);
+    const Plots more = plotsOf(generator, after, 300.0, 600.0, 5.0, 0.1);
+    plots.insert(plots.end(), more.begin(), more.end());
+    const Rotation rotation = Rotation::fromPlots(plots);
+    ASSERT_EQ(rotation.breaks().size(), 1U) << c.period << ' ' << c.jump;
+    EXPECT_NEAR(rotation.breaks()[0], 300.0, 4.0);
+    EXPECT_LT(worstError(rotation, before, 0.0, 296.0), radians(1.0)) << c.period << ' ' << c.jump;
+    EXPECT_LT(worstError(rotation, after, 304.0, 600.0), radians(1.0)) << c.period << ' ' << c.jump;
+    expectMonotoneWithInverse(rotation, 0.0, 600.0);
+  }
+}
+
+// Two recordings of one radar in one file, with a night between.
+TEST(Rotation, OfTwoStretchesIsFoundWhateverTheGap) {
+  auto generator = seededGenerator();
+  for (const double gap : {500.0, 3600.0, 21600.0, 86000.0}) {
+    const Turning beam = even(4.0, 1.0);
+    Plots plots = plotsOf(generator, beam, 0.0, 180.0, 3.0);
+    const Plots more = plotsOf(generator, beam, gap, gap + 180.0, 3.0);
+    plots.insert(plots.end(), more.begin(), more.end());
+    const Rotation rotation = Rotation::fromPlots(plots);
+    EXPECT_LT(worstError(rotation, beam, 0.0, 180.0), radians(1.0)) << gap;
+    EXPECT_LT(worstError(rotation, beam, gap, gap + 180.0), radians(1.0)) << gap;
+  }
 }
 
 TEST(Rotation, WithAKnownPeriodNeedsOnlyAFewPlotsForThePhase) {

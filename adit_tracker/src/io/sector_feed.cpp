@@ -31,7 +31,19 @@ tws::RadarSector SectorFeed::take() {
   sector.leave_time = start(++running_);
   enter_time_ = sector.leave_time;
   while (next_ < plots_.size() && plots_[next_].time < sector.leave_time) sector.plots.push_back(plots_[next_++]);
+  leap();
   return sector;
+}
+
+// Over a break of the rotation, whose sectors take no time, and one turn more, so that nobody measures the period
+// across it.
+void SectorFeed::leap() {
+  const double normal = rotation_.period() / tws::kSectors;
+  if (rotation_.breaks().empty() || start(running_ + 1) - start(running_) > normal / 4.0) return;
+  while (start(running_ + 1) - start(running_) < normal / 4.0) ++running_;
+  enter_time_ = start(running_);
+  running_ += tws::kSectors;
+  whole_turns_ -= 1;
 }
 
 }  // namespace adit_tracker

@@ -22,6 +22,7 @@ class SectorFeed {
 
  private:
   double start(std::int64_t running) const;
+  void leap();
 
   std::vector<tws::Plot> plots_;
   tws::Rotation rotation_;
