@@ -1,78 +1,76 @@
-// libFuzzer target: whatever the bytes, nothing is read outside them, every step goes on, and time and memory have a
-// bound. See README.md.
-#include <cstdlib>
+// Framings, packets, codec, times, beams and sectors: whatever the bytes, nothing is read outside them, every step goes
+// on, and what comes out of a feed is in order. See README.md.
+#include <cmath>
 
+#include "fuzzing.h"
 #include "radar_feed.h"
-#include "recording.h"
 
 namespace {
 
 using asterix_bridge::Bytes;
+using asterix_bridge::CutSector;
 using asterix_bridge::Framing;
+using asterix_bridge::RadarFeed;
+using fuzzing::found;
 
-void walk(Bytes bytes, Framing framing, asterix_bridge::RecordStream& stream) {
+void check(const CutSector& sector) {
+  if (sector.sector < 0 || sector.sector > 63) found("a sector that is none");
+  if (!(sector.leave_time > sector.enter_time) || !std::isfinite(sector.leave_time)) found("a sector without a time");
+  for (const auto& timed : sector.reports)
+    if (!std::isfinite(timed.time)) found("a report without a time");
+}
+
+RadarFeed::Events events() {
+  RadarFeed::Events events;
+  events.sector = [](auto, CutSector&& sector) { check(sector); };
+  events.position = [](auto, const auto&) {};
+  events.fault = [](const std::string& counter, const std::string& reason) {
+    if (counter.empty() || reason.empty()) found("a fault without a reason");
+  };
+  events.left_out = [](const std::string&) {};
+  return events;
+}
+
+void walk(Bytes bytes, Framing framing, RadarFeed& feed) {
   const auto blocks = asterix_bridge::findBlocks(bytes, framing);
   std::size_t steps = 0;
   while (const auto step = blocks->next()) {
-    if (++steps > bytes.size + 2) std::abort();  // no progress
-    stream.add(*step);
+    if (++steps > bytes.size + 2) found("no end of steps");
+    feed.add(*step, "input");
   }
 }
 
-// A whole feed: beams, sectors, radars of any number.
-void feed(Bytes bytes, bool is_live) {
-  asterix_bridge::RadarFeed::Options options;
-  options.sectors.steady = is_live;
-  asterix_bridge::RadarFeed::Events events;
-  std::size_t sectors = 0;
-  events.sector = [&](auto, auto&& sector) {
-    if (++sectors > 1000000 || sector.leave_time < sector.enter_time) std::abort();
-  };
-  events.position = [](auto, const auto&) {};
-  events.fault = [](const auto&, const auto&) {};
-  events.left_out = [](const auto&) {};
-  asterix_bridge::RadarFeed radars(asterix_bridge::DataClock(1.7e9), options, events);
-  const auto blocks = asterix_bridge::findBlocks(bytes, Framing::kRaw);
-  while (const auto step = blocks->next()) {
-    radars.add(*step, "fuzz");
-    if (is_live) radars.advance(radars.now());
+void add(Bytes bytes, int how, RadarFeed& feed) {
+  switch (how) {
+    case 0:
+      feed.add({asterix_bridge::FramedBlock{bytes, 0, std::nullopt, std::nullopt}, std::nullopt}, "input");
+      return;
+    case 1:
+      for (const auto& step : asterix_bridge::blocksOfDatagram(bytes)) feed.add(step, "input");
+      return;
+    case 2:
+      walk(bytes, asterix_bridge::detectFraming(bytes), feed);
+      return;
+    default:
+      walk(bytes, static_cast<Framing>(how - 3), feed);
   }
-  radars.finish();
 }
 
 }  // namespace
 
-// The first byte says how the rest is read.
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  if (size == 0) return 0;
-  const Bytes bytes{data + 1, size - 1};
-  asterix_bridge::RecordStream::Events events;
-  events.report = [](const auto&, double) {};
-  events.message = [](const auto&, double) {};
-  events.fault = [](auto, const auto& fault) {
-    if (fault.reason.empty()) std::abort();
-  };
-  asterix_bridge::RecordStream stream(asterix_bridge::DataClock(1.7e9), events);
+// The first byte says how the rest is read, and whether as from the network.
+void fuzzing::fuzz(std::string_view input) {
+  if (input.empty()) return;
+  const auto* data = reinterpret_cast<const std::uint8_t*>(input.data());
+  RadarFeed::Options options;
+  options.test_targets = options.sectors.steady = (data[0] & 0x40U) != 0;
+  constexpr double kStart = 1.7e9;
+  RadarFeed feed(asterix_bridge::DataClock(kStart), options, events());
   try {
-    switch (data[0] % 12) {
-      case 0:
-        stream.add({asterix_bridge::FramedBlock{bytes, 0, std::nullopt, std::nullopt}, std::nullopt});
-        break;
-      case 1:
-        for (const auto& step : asterix_bridge::blocksOfDatagram(bytes)) stream.add(step);
-        break;
-      case 2:
-        walk(bytes, asterix_bridge::detectFraming(bytes), stream);
-        break;
-      case 10:
-      case 11:
-        feed(bytes, data[0] % 12 == 11);
-        break;
-      default:
-        walk(bytes, static_cast<Framing>(data[0] % 12 - 3), stream);
-    }
+    add({data + 1, input.size() - 1}, data[0] % 10, feed);
+    feed.advance(kStart + 100.0);
   } catch (const std::runtime_error&) {
     // No known framing, or a file header that is cut.
   }
-  return 0;
+  feed.finish();
 }

@@ -2,8 +2,11 @@
 #include <tws_runtime/parameters.h>
 
 #include <algorithm>
+#include <array>
+#include <cctype>
 #include <cmath>
 #include <cstdlib>
+#include <fstream>
 #include <numeric>
 #include <sstream>
 
@@ -76,18 +79,55 @@ bool readInteger(const YAML::Node& node, long& value) {
   return true;
 }
 
-void refuseDoubleKeys(const YAML::Node& node, const std::string& path) {
-  std::set<std::string> seen;
-  for (const auto& entry : node) {
-    const YAML::Node key = node.IsMap() ? entry.first : YAML::Node();
-    if (key.IsScalar() && !seen.insert(key.Scalar()).second) {
-      const YAML::Mark mark = key.Mark();
-      throw ParameterError(path + ":" + std::to_string(mark.line + 1) + ":" + std::to_string(mark.column + 1) +
-                           ": key '" + key.Scalar() + "' stands twice in this map");
-    }
-    refuseDoubleKeys(node.IsMap() ? entry.second : YAML::Node(entry), path);
-  }
+/// Where it is, and why, in one line, whatever the file has been quoted with.
+[[noreturn]] void complain(const std::string& where, const YAML::Mark& mark, const std::string& reason) {
+  std::string line = where;
+  if (!mark.is_null()) line += ":" + std::to_string(mark.line + 1) + ":" + std::to_string(mark.column + 1);
+  line += ": " + reason;
+  std::replace_if(
+      line.begin(), line.end(), [](unsigned char c) { return std::iscntrl(c) != 0; }, ' ');
+  throw ParameterError(line);
 }
+
+/// The text of a file or pipe.
+std::string textOf(const std::string& path) {
+  constexpr std::size_t kMostBytes = 16U << 20U;
+  std::ifstream file(path, std::ios::binary);
+  std::string text;
+  std::array<char, 65536> bytes{};
+  while (file && text.size() <= kMostBytes) {
+    file.read(bytes.data(), bytes.size());
+    text.append(bytes.data(), static_cast<std::size_t>(file.gcount()));
+  }
+  if (text.size() > kMostBytes) throw ParameterError(path + ": is larger than 16 MB: is it a file of parameters?");
+  if (!file.eof()) throw ParameterError(path + ": cannot be read");
+  return text;
+}
+
+/// Refuses keys that stand twice in a map, and trees that are no trees: an alias (*name) stands for all that is under
+/// its anchor (&name), so that a few of them may stand for more than any memory holds, or for themselves.
+class TreeCheck {
+ public:
+  TreeCheck(std::string path, std::size_t bytes) : path_(std::move(path)), left_(kFewest + kMostPerByte * bytes) {}
+
+  void check(const YAML::Node& node, int depth = 0) {
+    if (depth == kDeepest) complain(path_, node.Mark(), "is nested deeper than 100 times");
+    if (left_-- == 0) complain(path_, node.Mark(), "aliases (*name) stand for more than 10 times what is in the file");
+    std::set<std::string> seen;
+    for (const auto& entry : node) {
+      if (node.IsMap() && entry.first.IsScalar() && !seen.insert(entry.first.Scalar()).second)
+        complain(path_, entry.first.Mark(), "key '" + entry.first.Scalar() + "' stands twice in this map");
+      check(node.IsMap() ? entry.second : YAML::Node(entry), depth + 1);
+    }
+  }
+
+ private:
+  static constexpr int kDeepest = 100;
+  static constexpr std::size_t kFewest = 1000, kMostPerByte = 10;
+
+  std::string path_;
+  std::size_t left_;  // values that may still come
+};
 
 /// Where departuresFromDefaults() collects them; nowhere otherwise.
 thread_local std::vector<std::string>* departures = nullptr;
@@ -253,10 +293,8 @@ YAML::Node ParameterReader::find(const std::string& key) {
 }
 
 void ParameterReader::failAt(const YAML::Node& node, const std::string& path, const std::string& reason) const {
-  const YAML::Mark mark = node.IsDefined() ? node.Mark() : YAML::Mark::null_mark();
-  std::string line = where_;
-  if (!mark.is_null()) line += ":" + std::to_string(mark.line + 1) + ":" + std::to_string(mark.column + 1);
-  throw ParameterError(line + ": " + (path.empty() ? "" : path + ": ") + reason);
+  complain(where_, node.IsDefined() ? node.Mark() : YAML::Mark::null_mark(),
+           (path.empty() ? "" : path + ": ") + reason);
 }
 
 std::string ParameterReader::pathTo(const std::string& key) const { return path_.empty() ? key : path_ + "." + key; }
@@ -270,15 +308,13 @@ void scaledNumber(ParameterReader& reader, const std::string& key, double& value
 }
 
 YAML::Node loadParameterFile(const std::string& path) {
+  const std::string text = textOf(path);
   try {
-    const YAML::Node tree = YAML::LoadFile(path);
-    refuseDoubleKeys(tree, path);
+    const YAML::Node tree = YAML::Load(text);
+    TreeCheck(path, text.size()).check(tree);
     return tree.IsNull() ? YAML::Node(YAML::NodeType::Map) : tree;
-  } catch (const YAML::BadFile&) {
-    throw ParameterError(path + ": cannot be read");
   } catch (const YAML::Exception& error) {
-    throw ParameterError(path + ":" + std::to_string(error.mark.line + 1) + ":" +
-                         std::to_string(error.mark.column + 1) + ": " + error.msg);
+    complain(path, error.mark, error.msg);
   }
 }
 

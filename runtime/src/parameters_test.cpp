@@ -190,6 +190,42 @@ TEST(ParameterFile, ErrorsNameFileLineColumnAndReason) {
   EXPECT_TRUE(loadParameterFile(write("empty.yaml", "# nothing\n")).IsMap());
 }
 
+// If these fail, a file of a few lines takes the memory of the machine, or ends the program without a word.
+TEST(LoadParameterFile, RefusesAliasesThatStandForMoreThanAFileCanHold) {
+  std::string text = "a0: &a0 [1, 1]\n";
+  for (int i = 1; i < 40; ++i) {
+    const std::string name = "a" + std::to_string(i), before = "*a" + std::to_string(i - 1);
+    text += name + ": &" + name + " [" + before + ", " + before + "]\n";
+  }
+  const std::string path = write("aliases.yaml", text);
+  EXPECT_NE(errorOf([&] { loadParameterFile(path); }).find("aliases"), std::string::npos);
+}
+
+TEST(LoadParameterFile, RefusesAnAliasOfItself) {
+  const std::string path = write("itself.yaml", "a: &a\n  b: *a\n");
+  EXPECT_NE(errorOf([&] { loadParameterFile(path); }).find(": is nested deeper"), std::string::npos);
+}
+
+TEST(LoadParameterFile, TakesAliasesInTheirPlace) {
+  const YAML::Node tree = loadParameterFile(write("usual.yaml", "a: &a {x: 1}\nb: [*a, *a]\n"));
+  EXPECT_EQ(tree["b"][1]["x"].as<int>(), 1);
+}
+
+TEST(LoadParameterFile, RefusesWhatIsNoFileOrEndless) {
+  EXPECT_EQ(errorOf([] { loadParameterFile("/"); }), "/: cannot be read");
+  EXPECT_EQ(errorOf([] { loadParameterFile("/dev/zero"); }).rfind("/dev/zero: is larger than 16 MB", 0), 0u);
+}
+
+// If this fails, a log has lines that say nothing, or what the file wants it to say.
+TEST(ParameterErrors, AreOneLineWhateverTheyQuote) {
+  const std::string path = write("lines.yaml", "\"a\\nb\": 1\n\"a\\nb\": 2\n");
+  EXPECT_EQ(errorOf([&] { loadParameterFile(path); }), path + ":2:1: key 'a b' stands twice in this map");
+  const std::string choice = write("choice.yaml", "x: \"a\\nb\"\n");
+  std::string value;
+  EXPECT_EQ(errorOf([&] { ParameterReader(loadParameterFile(choice), choice).choice("x", value, {"one"}); }),
+            choice + ":1:4: x: 'a b' is not one of one");
+}
+
 // If this fails, one changed value in a user's file throws away the rest of the set, or its error loses its line.
 TEST(MergeParameters, ReplacesValuesKeyByKeyAndKeepsLines) {
   const YAML::Node base = YAML::Load("{a: 1, map: {x: 1, y: 2}, list: [1, 2]}");

@@ -1,10 +1,15 @@
 #include <benchmark/benchmark.h>
 
+#include <cmath>
 #include <cstdint>
+#include <cstdio>
 #include <random>
+#include <sstream>
+#include <string>
 #include <vector>
 
 #include <tws_core/axis_filter.h>
+#include <tws_core/csv_table.h>
 #include <tws_core/geodesy.h>
 #include <tws_core/geometry.h>
 #include <tws_core/kalman.h>
@@ -173,6 +178,36 @@ void GeodeticToEnuAndBack(benchmark::State& state) {
   }
 }
 BENCHMARK(GeodeticToEnuAndBack);
+
+/// Plots as a recording of a radar has them.
+std::string tableOf(std::size_t rows) {
+  std::string text = "t_s,radar,range_m,az_deg\n";
+  char row[80];
+  for (std::size_t i = 0; i < rows; ++i) {
+    const auto number = static_cast<double>(i);
+    std::snprintf(row, sizeof row, "%.3f,sps12,%.1f,%.4f\n", 0.01 * number, 5e4 + number, std::fmod(number, 360.0));
+    text += row;
+  }
+  return text;
+}
+
+// Each row must cost the same, however many there are.
+void CsvTableRows(benchmark::State& state) {
+  const std::string text = tableOf(static_cast<std::size_t>(state.range(0)));
+  for ([[maybe_unused]] auto _ : state) {
+    std::istringstream input(text);
+    tws::CsvTable table(input, "plots.csv");
+    const std::size_t time = table.require("t_s"), azimuth = table.require("az_deg");
+    while (table.next()) benchmark::DoNotOptimize(table.time(time) + table.number(azimuth));
+  }
+  state.SetItemsProcessed(static_cast<std::int64_t>(state.iterations()) * state.range(0));
+  state.SetComplexityN(state.range(0));
+}
+BENCHMARK(CsvTableRows)
+    ->RangeMultiplier(10)
+    ->Range(1000, 1000000)
+    ->Complexity(benchmark::oN)
+    ->Unit(benchmark::kMillisecond);
 
 }  // namespace
 

@@ -162,6 +162,37 @@ function(tws_python_test name script)
     COMMAND ${environment} ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/${script} ${arg_ARGUMENTS})
 endfunction()
 
+# tws_fuzzer(NAME SOURCE... CORPUS FOLDER [SEEDS FOLDER] [LINK LIBRARY...])
+# A fuzz target, built by clang with sanitizers when its test runs, see fuzz/run. The first SOURCE has fuzzing::fuzz(); the others are what it
+# tests: with more of the package's sources it finds more, and compiles longer. SEEDS: more of them, a folder of TWS_SHARED/data/reported_inputs.
+set(_tws_fuzz_folder ${CMAKE_CURRENT_LIST_DIR}/fuzz)
+function(tws_fuzzer name)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "CORPUS;SEEDS" "LINK")
+  # Libraries that GCC instrumented cannot be linked with what clang does.
+  if(NOT CATKIN_ENABLE_TESTING OR (TWS_SANITIZE AND arg_LINK MATCHES "tws_|${PROJECT_NAME}"))
+    return()
+  endif()
+  set(includes $<TARGET_PROPERTY:${PROJECT_NAME},INCLUDE_DIRECTORIES>)
+  set(words "-I$<JOIN:$<REMOVE_DUPLICATES:${includes}>,$<SEMICOLON>-I>")
+  foreach(library ${arg_LINK})
+    if(TARGET ${library})
+      list(APPEND words $<TARGET_LINKER_FILE:${library}> -Wl,-rpath,$<TARGET_LINKER_FILE_DIR:${library}>)
+    elseif(IS_ABSOLUTE ${library})
+      get_filename_component(folder ${library} DIRECTORY)
+      list(APPEND words ${library} -Wl,-rpath,${folder})
+    elseif(library MATCHES "^-")
+      list(APPEND words ${library})
+    else()
+      list(APPEND words -l${library})
+    endif()
+  endforeach()
+  list(TRANSFORM arg_UNPARSED_ARGUMENTS PREPEND ${PROJECT_SOURCE_DIR}/)
+  set(test _ctest_${PROJECT_NAME}_fuzz_${name})
+  add_test(NAME ${test} COMMAND ${_tws_fuzz_folder}/run ${name} ${PROJECT_SOURCE_DIR}/${arg_CORPUS} ${arg_UNPARSED_ARGUMENTS} -- ${words}
+    COMMAND_EXPAND_LISTS)
+  set_tests_properties(${test} PROPERTIES SKIP_RETURN_CODE 77 TIMEOUT 7200 ENVIRONMENT "FUZZING_SEEDS=${arg_SEEDS}")
+endfunction()
+
 # tws_rostest(LAUNCH_FILE [NAME SOURCE...] [NODES NODE...] [LINK LIBRARY...])
 # A test among live nodes; its GoogleTests, if it has any, are SOURCE... and make the program NAME.
 function(tws_rostest launch_file)

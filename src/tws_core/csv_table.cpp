@@ -135,12 +135,14 @@ bool CsvTable::readLine(std::string& line) {
 
 /// The next line with something on it.
 bool CsvTable::nextLine(std::string& line) {
+  if (input_.bad()) return false;  // It was complained of.
   try {
     while (readLine(line)) {
       if (line_ == 1 && line.rfind("\xEF\xBB\xBF", 0) == 0) line.erase(0, 3);
       if (!saysNothing(line)) return true;
     }
   } catch (const std::ios_base::failure& error) {
+    input_.setstate(std::ios_base::badbit);
     fail(std::string("cannot be read any further (") + error.what() + ")");
   }
   return false;

@@ -180,6 +180,23 @@ TEST_F(OpenText, UnpacksGzipAndSaysWhenItIsCut) {
   EXPECT_NE(cut.find("cannot be read any further"), std::string::npos) << cut;
 }
 
+// If this fails, whoever goes on behind a bad row never comes to an end of a damaged file.
+TEST_F(OpenText, ADamagedFileIsComplainedOfOnceAndThenItsEnd) {
+  std::string bytes = packed("a,b\n1,2\n");
+  bytes[bytes.size() - 8] ^= 1;  // of the checksum
+  const std::string path = write("damaged.csv.gz", bytes);
+  const auto file = openText(path);
+  int complaints = 0;
+  std::unique_ptr<CsvTable> table;
+  for (bool more = true; more && complaints < 10;) try {
+      if (!table) table = std::make_unique<CsvTable>(*file, path);
+      more = table->next();
+    } catch (const std::runtime_error&) {
+      ++complaints;
+    }
+  EXPECT_EQ(complaints, 1);
+}
+
 TEST_F(OpenText, SaysWhatAFileIs) {
   EXPECT_EQ(complaintOf("/nowhere/f.csv"), ": cannot be read: No such file or directory");
   EXPECT_EQ(complaintOf("/tmp"), ": is a folder");
