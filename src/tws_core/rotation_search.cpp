@@ -241,6 +241,7 @@ double findFrequency(const Plots& plots) {
 
 double findFrequency(const Plots& plots, double period) {
   checkNumber(plots, kLeastPlotsOfKnownPeriod);
+  if (!(spanOf(plots) > 0.0)) throw std::invalid_argument("Rotation: all plots are of one instant");
   const double frequency = 1.0 / period;
   const double duration = windowDuration(plots, period);
   const Windows windows = windowsOf(plots, duration);

@@ -240,6 +240,7 @@ TEST(Rotation, RefusesPlotsThatShowNone) {
   EXPECT_THROW(Rotation::fromPlots(plotsOf(generator, beam, 0.0, 60.0, 0.3)), std::invalid_argument);   // 18 plots
   EXPECT_THROW(Rotation::fromPlots(plotsOf(generator, beam, 0.0, 2.0, 100.0)), std::invalid_argument);  // a third turn
   EXPECT_THROW(Rotation::fromPlots(Plots(100, {1.0, 1.0})), std::invalid_argument);  // all at one instant
+  EXPECT_THROW(Rotation::fromPlots(Plots(100, {1.0, 1.0}), 6.0), std::invalid_argument);
   EXPECT_THROW(Rotation::fromPlots({{0.0, 1.0}, {1e9, 2.0}, {1e10, 3.0}, {-1e10, 4.0}, {5.0, 0.0}}, 0.01),
                std::invalid_argument);
   const Turning backwards = even(-6.0, 0.0);

@@ -19,8 +19,8 @@ struct CsvState {
 
 /// Reads a table (see tws::CsvTable) with the columns t_s, x_m, y_m and one of id, track_id, truth_id. Further columns
 /// vx_mps and vy_mps may be empty: unknown. Any text is an id: what is a whole number keeps it, others are numbered.
-/// Rows whose column `status` says tentative are left out. In order of time, rows of one time in the order of the file.
-/// Throws std::runtime_error with `name`, line and reason.
+/// Rows whose column `status` says tentative are left out. In order of time, within ±1e10 s, rows of one time in the
+/// order of the file. Throws std::runtime_error with `name`, line and reason.
 std::vector<CsvState> readStates(std::istream& input, const std::string& name);
 /// Throws also when the file cannot be opened.
 std::vector<CsvState> readStateFile(const std::string& path);

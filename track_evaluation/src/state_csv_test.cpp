@@ -62,6 +62,7 @@ TEST(StateCsv, AVelocityMayBeUnknown) {
 
 TEST(StateCsv, NamesFileLineAndReason) {
   EXPECT_EQ(reason("1,1,0,0,0,0\n1,,0,0,0,0\n"), "f.csv:3: the id is empty");
+  EXPECT_EQ(reason("1e308,1,0,0,0,0\n"), "f.csv:2: t_s is beyond 1e10 s: 1e308 (it counts seconds, not milliseconds)");
   EXPECT_EQ(reason("1,1,0,nan,0,0\n"), "f.csv:2: y_m 'nan' is not finite");
   EXPECT_EQ(reason("1,1,0\n"), "f.csv:2: y_m is empty");
   EXPECT_EQ(reason("", "t_s,id"), "f.csv:1: has no column x_m (its columns are t_s,id)");
