@@ -12,6 +12,8 @@
 #include <set>
 #include <stdexcept>
 
+#include "bag_check.h"
+
 namespace tws_runtime {
 namespace {
 
@@ -41,6 +43,11 @@ MessageType rawType(const rosbag::ConnectionInfo& connection) {
 /// A bag may hold topics without a leading slash: they are those of the root.
 std::string absolute(const std::string& topic) { return ros::names::clean("/" + topic); }
 
+std::string oneLine(std::string text) {
+  std::replace(text.begin(), text.end(), '\n', ' ');
+  return text;
+}
+
 std::string headerField(const ros::M_string& header, const std::string& field) {
   const auto found = header.find(field);
   return found == header.end() ? "" : found->second;
@@ -56,11 +63,16 @@ std::string nodeName(const ros::M_string& header) {
 class BagSource::Impl {
  public:
   Impl(LocalGraph& graph, const std::string& path, const std::vector<std::string>& topics) : path_(path) {
+    checkBagLengths(path);
     try {
       bag_.open(path, rosbag::bagmode::Read);
+    } catch (const std::exception& error) {  // Not only rosbag's own: the file names a class that decrypts it.
+      throw std::runtime_error(path + ": is missing, truncated or no bag: " + oneLine(error.what()));
+    }
+    try {
       view_.addQuery(bag_, rosbag::TopicQuery(choose(graph, topics)));
     } catch (const rosbag::BagException& error) {
-      throw std::runtime_error(path + ": is missing, truncated or no bag: " + error.what());
+      throw std::runtime_error(path + ": is damaged: " + oneLine(error.what()));
     }
     for (const rosbag::ConnectionInfo* connection : view_.getConnections()) open(graph, *connection);
     next_ = view_.begin();

@@ -266,6 +266,14 @@ TEST_F(BagTest, ABagCutShortAnywhereIsRefusedByName) {
   }
 }
 
+// If this fails, four damaged bytes ask for up to 4 GB of memory.
+TEST_F(BagTest, ARecordLongerThanTheFileIsRefusedByNameAndPlace) {
+  std::string bytes = contentOf(recordNumbers("whole.bag"));
+  bytes.replace(13, 4, "\xff\xff\xff\x7f");  // the length of the first header, behind the line of the version
+  std::ofstream(path("long.bag"), std::ios::binary) << bytes;
+  expectError([&] { replay(path("long.bag")); }, {path("long.bag"), "at byte 13", "longer than the file"});
+}
+
 TEST_F(BagTest, ATopicOfAnotherTypeIsRefusedByNameAndTypes) {
   const std::string bag = recordNumbers("type.bag");
   LocalGraph graph(log);
