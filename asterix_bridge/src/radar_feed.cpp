@@ -1,13 +1,14 @@
 #include "radar_feed.h"
 
 #include <cmath>
+#include <utility>
 
 #include "report_csv.h"
 
 namespace asterix_bridge {
 
 RadarFeed::RadarFeed(DataClock clock, Options options, Events events)
-    : options_(options),
+    : options_(std::move(options)),
       events_(std::move(events)),
       stream_(clock, {[this](const TargetReport& report, double time) { add(report, time); },
                       [this](const ServiceMessage& message, double time) { add(message, time); },

@@ -26,7 +26,7 @@ const std::set<std::string> kAllowed{"clutter_map", "date",   "duration", "graph
 
 std::string outputFile(const std::string& folder, const RunInput& input) {
   std::filesystem::create_directories(folder);
-  const std::string output = folder + "/run.bag";
+  std::string output = folder + "/run.bag";
   tws::checkOutputPath(output, {input.path});
   return output;
 }
