@@ -21,7 +21,8 @@ class Accuracy {
 
  private:
   double nees_age_;
-  Sample position_, velocity_, along_, across_, nees_position_, nees_state_;
+  Sample position_;
+  Moments velocity_, along_, across_, nees_position_, nees_state_;
 };
 
 }  // namespace track_evaluation

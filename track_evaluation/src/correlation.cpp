@@ -9,6 +9,8 @@ namespace {
 
 // Pairs are held for some time; by so much [m] a track must be nearer to another aircraft to be a track of that one.
 constexpr double kNearer = 100.0;
+// Between two epochs far fewer come; so many without one, and no truth is there to judge them by.
+constexpr std::size_t kMostWaiting = 100000;
 
 struct Pair {
   const TruthState* truth;
@@ -31,7 +33,9 @@ bool isWrong(const CorrelationMetrics::Update& update, const Pair& pair, const E
 
 void CorrelationMetrics::add(const Update& update) {
   updates_[static_cast<std::size_t>(update.kind)] += 1.0;
-  if (update.kind == Kind::kCorrelated && update.mode_3a != kCodeUnknown) waiting_.push_back(update);
+  if (update.kind != Kind::kCorrelated || update.mode_3a == kCodeUnknown) return;
+  if (waiting_.size() >= kMostWaiting) waiting_.clear();
+  waiting_.push_back(update);
 }
 
 void CorrelationMetrics::judge(const Epoch& epoch, const std::vector<int>& track_of) {

@@ -98,7 +98,7 @@ class EvaluationNode::Impl {
           });
     }
     identified_plots = 0;
-    newest_plots_ = 0.0;
+    newest_ = 0.0;
   }
 
   void take(const Input& input, const tws_msgs::Truth& message) {
@@ -129,6 +129,7 @@ class EvaluationNode::Impl {
             .add("track " + std::to_string(track.uid) + " in " + input.topic + " at " +
                  std::to_string(toSeconds(message.header.stamp)) + " s: " + fault);
     }
+    newest_ = std::max(newest_, toSeconds(message.header.stamp));
     TrackerEvaluation& tracker = trackers_.at(input.name);
     tracker.timing.addTracks(message.radar, toSeconds(bus_.now()), toSeconds(message.header.stamp),
                              message.tracks.size());
@@ -144,7 +145,7 @@ class EvaluationNode::Impl {
   }
 
   void take(const Input& input, const tws_msgs::SsrPlots& message) {
-    newest_plots_ = std::max(newest_plots_, toSeconds(message.header.stamp));
+    newest_ = std::max(newest_, toSeconds(message.header.stamp));
     for (const tws_msgs::SsrPlot& plot : message.plots) {
       if (!std::isfinite(plot.range) || !std::isfinite(plot.azimuth)) {
         bus_.counter("bad plots").add(input.topic + ": range or azimuth is no number");
@@ -170,7 +171,7 @@ class EvaluationNode::Impl {
 
   void publish(ros::Time now) {
     constexpr double kLatest = 60.0;  // tracks behind the plots of their time [s]
-    for (auto& [name, tracker] : trackers_) tracker.identity.settle(newest_plots_ - kLatest);
+    for (auto& [name, tracker] : trackers_) tracker.identity.settle(newest_ - kLatest);
     for (const TrackerScore& score : score().trackers) {
       MetricList metrics = score.metrics;
       metrics.insert(metrics.end(), score.identity.begin(), score.identity.end());
@@ -195,7 +196,7 @@ class EvaluationNode::Impl {
   EvaluationParams params_;
   tws_runtime::Publisher<tws_msgs::EvaluationSummary> summary_, timing_;
   std::map<std::string, TrackerEvaluation> trackers_;
-  double newest_plots_ = 0.0;  // with identities [s]
+  double newest_ = 0.0;  // stamp of tracks and of plots with identities [s]
   tws_runtime::Intake intake_;
 };
 

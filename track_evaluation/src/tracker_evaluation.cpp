@@ -73,9 +73,11 @@ void TrackerEvaluation::take(const tws_msgs::CorrelatedTracks& message) {
 
 void TrackerEvaluation::addUpdates(const tws_msgs::Tracks& message) {
   for (const tws_msgs::Track& track : message.tracks) {
+    if (track.state == tws_msgs::Track::DROPPED) last_update_.erase(track.uid);
+    if (track.state != tws_msgs::Track::FIRM) continue;
     const double update = tws_runtime::toSeconds(track.last_update);
     double& known = last_update_[track.uid];
-    if (track.state != tws_msgs::Track::FIRM || update <= known || !faultOf(track).empty()) continue;
+    if (update <= known || !faultOf(track).empty()) continue;
     known = update;
     identity.addUpdate(update, track.uid, tws::planarFromPolar(track.range, track.azimuth));
     if (!evaluator_) on_update_(track);
