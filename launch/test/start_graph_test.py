@@ -130,6 +130,28 @@ class StartGraph(unittest.TestCase):
         with rosbag.Bag(str(bag)) as recorded:
             self.assertGreater(recorded.get_message_count("/sps12/detections"), 10)
 
+    # If this fails, a run into a folder that is not there, or that cannot be written into, goes on to its end unrecorded.
+    def test_a_bag_that_cannot_be_written_ends_the_run_before_it_begins(self):
+        for bag in (self.folder / "none" / "run.bag", pathlib.Path("/proc/run.bag"), self.folder / ("x" * 250 + ".bag")):
+            run = self.started("one_aircraft", "rviz:=false", f"record:={bag}")
+            said = run.communicate(timeout=60)[0]
+            self.assertEqual((run.returncode, len(said.splitlines())), (1, 1), said)
+            self.assertIn(f"{bag}: cannot be written: ", said)
+
+    # If this fails, a recorder that never opens its bag (it has no more files, say) goes unnoticed.
+    def test_a_run_of_which_nothing_was_recorded_does_not_end_well(self):
+        bag, launch = self.folder / "run.bag", self.folder / "mine.launch"
+        launch.write_text(f"""<launch>
+          <node pkg="rosbag" type="record" name="recorder" args="--output-name={bag}" launch-prefix="sh -c 'sleep 3'" required="true"/>
+        </launch>""")
+        for text in ("", "of an earlier run"):
+            if text:
+                bag.write_text(text)
+            run = self.started(launch)
+            said = run.communicate(timeout=60)[0]
+            self.assertEqual(run.returncode, 1, said)
+            self.assertIn(f"{bag}: nothing was recorded", said)
+
     # If this fails, a folder with an apostrophe or a new line in its name costs the recording.
     def test_odd_names_come_through(self):
         odd, quoted = self.folder / ODD, self.folder / ODD.replace("\n", "'")  # roslaunch's own command line knows no new line.
