@@ -158,7 +158,7 @@ class RosBus::Impl {
                " s of wall time; what came meanwhile is worked off in order of its stamps");
   }
 
-  void giveInOrder(std::size_t topic, ros::Time stamp, Backlog::Give give) {
+  void giveInOrder(std::size_t topic, ros::Time stamp, const Backlog::Give& give) {
     if (in_order) beat();
     if (!in_order || !backlog.keep(topic, stamp.toSec(), steadyTime(), give)) give();
   }

@@ -168,6 +168,7 @@ void dropWorst(std::vector<BeamLine>& lines) {
   constexpr double kTimes = 4.0, kLeast = radians(2.0);
   if (lines.size() < 3) return;
   std::vector<double> scatters;
+  scatters.reserve(lines.size());
   for (const BeamLine& line : lines) scatters.push_back(line.scatter);
   const double most = std::max(kLeast, kTimes * median(std::move(scatters)));
   lines.erase(std::remove_if(lines.begin(), lines.end(), [&](const BeamLine& line) { return line.scatter > most; }),
