@@ -56,7 +56,7 @@ TEST(Datagrams, ArePutTogetherFromFragmentsInAnyOrder) {
   Octets large;
   for (int i = 0; i < 200; ++i) large = large + kPlot;
   const Octets whole = udp(large);
-  const auto part = [&](std::size_t from, std::size_t to) { return Octets(whole.begin() + from, whole.begin() + to); };
+  const auto part = [&](std::size_t from, std::size_t to) { return Octets(whole.data() + from, whole.data() + to); };
   const Octets first = ipv4(part(0, 1480), 17, 0x2000);
   const Octets second = ipv4(part(1480, 2960), 17, 0x2000 | 185);
   const Octets last = ipv4(part(2960, whole.size()), 17, 370);
