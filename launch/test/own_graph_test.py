@@ -57,6 +57,11 @@ def north_message(seconds):
     return bytes.fromhex("220013" "E110" "0809" "01") + (128 * seconds).to_bytes(3, "big") + bytes.fromhex("030C" "200000" "100000")
 
 
+def plot_message(seconds):
+    """ASTERIX CAT048 of the same radar: a primary plot in the east, 16 nautical miles away."""
+    return bytes.fromhex("30000E" "F0" "0809") + (128 * seconds).to_bytes(3, "big") + bytes.fromhex("20" "10004000")
+
+
 def wait_for(condition, seconds=60.0):
     end = time.monotonic() + seconds
     while not condition() and time.monotonic() < end:
@@ -110,7 +115,7 @@ class OwnGraphTest(unittest.TestCase):
         load = rospy.ServiceProxy("/inside/manager/load_nodelet", NodeletLoad)
         unload = rospy.ServiceProxy("/inside/manager/unload_nodelet", NodeletUnload)
         with tempfile.NamedTemporaryFile() as recording:
-            recording.write(b"".join(north_message(36000 + 4 * turn) for turn in range(4)))
+            recording.write(b"".join(north_message(north) + plot_message(north + 1) for north in range(36000, 36040, 4)))
             recording.flush()
             self.assertGreaterEqual(len(classes()), 14)
             for number, name in enumerate(classes()):
