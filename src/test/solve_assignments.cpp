@@ -16,4 +16,5 @@ int main() {
     solver.solve(costs, rows, columns);
     std::printf("%.17g\n", solver.cost());
   }
+  return 0;
 }

@@ -43,8 +43,7 @@ constexpr const char* kForms[] = {
     "a,b\n1,x y\n2,\n",
     "a,b\r\n1,x y\r\n2,\r\n",
     "a,b\r1,x y\r2,",
-    "\xEF\xBB\xBF"
-    "a,b\n1,x y\n2,\n",
+    "\357\273\277a,b\n1,x y\n2,\n",
     "b,a\nx y,1\n,2\n",
     "A,B\n1,x y\n2,\n",
     " a , b \n 1 , x y \n 2 , \n",
@@ -138,7 +137,7 @@ TEST(CsvTable, ReadsTimesAndWholeNumbers) {
 class OpenText : public testing::Test {
  protected:
   std::string write(const std::string& name, const std::string& bytes) {
-    const std::string path = testing::TempDir() + name;
+    std::string path = testing::TempDir() + name;
     std::ofstream(path, std::ios::binary) << bytes;
     return path;
   }
