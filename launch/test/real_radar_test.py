@@ -123,7 +123,10 @@ class RealRadar(unittest.TestCase):
               "rate:=10", f"duration:={LIVE_DURATION}", "rviz:=false", f"record:={bag}")
         live, offline = tracks(bag), tracks(self.folder / "run.bag")
         self.assertGreater(len(live), LIVE_DURATION / 4.1 * 64)
-        self.assertEqual(live, offline[:len(live)])
+        self.assertIn(live[0], offline[:128], "the first message of tracks is none of the first two turns")
+        first = offline.index(live[0])  # On a busy machine the recorder may join a moment after the tracker's first message.
+        different = [number for number, pair in enumerate(zip(live, offline[first:])) if pair[0] != pair[1]]
+        self.assertEqual(different, [], f"of {len(live)} messages")
 
 
 if __name__ == "__main__":
