@@ -5,9 +5,11 @@
 #include <cstdio>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 #include <tws_core/angles.h>
+#include <tws_core/median.h>
 
 namespace asterix_bridge {
 namespace {
@@ -39,9 +41,7 @@ void Beam::addMark(double time, double azimuth) {
   if (width > tws::kPi || !isPeriod(period)) return;
   periods_.push_back(period);
   if (periods_.size() > kMost) periods_.pop_front();
-  std::vector<double> periods(periods_.begin(), periods_.end());
-  std::nth_element(periods.begin(), periods.begin() + static_cast<std::ptrdiff_t>(periods.size() / 2), periods.end());
-  if (periods.size() >= kFew && !line_ && nominal_ == 0.0) period_ = periods[periods.size() / 2];
+  if (periods_.size() >= kFew && !line_ && nominal_ == 0.0) period_ = tws::median({periods_.begin(), periods_.end()});
 }
 
 // The period is the least of the last intervals but for jitter: a mark may be lost, seldom is one too many.
@@ -132,9 +132,7 @@ void Beam::watch() {
   std::vector<double> residuals;
   for (const auto& point : points_)
     residuals.push_back(std::abs(tws::angularDifference(point.azimuth, rotation_->unwrappedAt(point.time))));
-  const auto middle = residuals.begin() + static_cast<std::ptrdiff_t>(residuals.size() / 2);
-  std::nth_element(residuals.begin(), middle, residuals.end());
-  break_.setScatter(*middle);
+  break_.setScatter(tws::median(std::move(residuals)));
 }
 
 std::optional<tws::SteadyBeam> Beam::findBreak() {

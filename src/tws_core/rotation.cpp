@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
 
 #include <tws_core/angles.h>
+#include <tws_core/median.h>
 #include <tws_core/rotation_search.h>
 #include <tws_core/units.h>
 
@@ -48,12 +50,6 @@ double sortFromZero(Plots& plots) {
   return start;
 }
 
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 double medianResidual(const BeamLine& line, const TimedAzimuth* first, const TimedAzimuth* last) {
   std::vector<double> residuals;
   for (const TimedAzimuth* plot = first; plot != last; ++plot) {
@@ -91,27 +87,32 @@ BeamLine fitMost(BeamLine line, const TimedAzimuth* first, const TimedAzimuth* l
   return line;
 }
 
-double azimuthAtZero(const TimedAzimuth* first, const TimedAzimuth* last, double frequency) {
-  return std::arg(PlotWindow(first, last).resultant(frequency));
+// How many plots lie near a beam that says where it points at a time.
+template <class Beam>
+std::ptrdiff_t countNear(const TimedAzimuth* first, const TimedAzimuth* last, const Beam& azimuthAt) {
+  constexpr double kNear = kPi / 4.0;
+  return std::count_if(first, last, [&](const TimedAzimuth& plot) {
+    return std::abs(wrapPi(plot.azimuth - azimuthAt(plot.time))) < kNear;
+  });
 }
 
 // A line through one half of plots that lie along two is none.
 bool explains(const BeamLine& line, const TimedAzimuth* first, const TimedAzimuth* last) {
-  constexpr double kNear = kPi / 4.0, kMost = 0.65;
-  const auto is_near = [&](const TimedAzimuth& p) { return std::abs(wrapPi(p.azimuth - line.at(p.time))) < kNear; };
-  return static_cast<double>(std::count_if(first, last, is_near)) >= kMost * static_cast<double>(last - first);
+  constexpr double kMost = 0.65;
+  const auto near = countNear(first, last, [&](double time) { return line.at(time); });
+  return static_cast<double>(near) >= kMost * static_cast<double>(last - first);
 }
 
 // The beam through a window of plots; nothing when most of them do not lie along one.
 std::optional<BeamLine> fitLine(const TimedAzimuth* first, const TimedAzimuth* last, double frequency) {
   constexpr double kLeastCoherence = 0.4;
   const CoherencePeak peak = peakNear(first, last, frequency, kGreatestDrift);
-  if (peak.coherence < kLeastCoherence ||
-      !explains({0.0, azimuthAtZero(first, last, peak.frequency), kTwoPi * peak.frequency}, first, last))
-    return std::nullopt;
-  const double azimuth = azimuthAtZero(first, last, peak.frequency);
+  if (peak.coherence < kLeastCoherence) return std::nullopt;
+  const double azimuth = std::arg(PlotWindow(first, last).resultant(peak.frequency));
+  const BeamLine coherent{0.0, azimuth, kTwoPi * peak.frequency};
+  if (!explains(coherent, first, last)) return std::nullopt;
   const bool keep_rate = ((last - 1)->time - first->time) * frequency < 3.0;  // too short to tell it
-  BeamLine line = fitMost({0.0, azimuth, kTwoPi * peak.frequency}, first, last, keep_rate);
+  BeamLine line = fitMost(coherent, first, last, keep_rate);
   line.scatter = medianResidual(line, first, last);
   if (std::abs(line.rate / (kTwoPi * frequency) - 1.0) > 2.0 * kGreatestDrift) return std::nullopt;
   return line;
@@ -248,11 +249,9 @@ Rotation Rotation::fromPlots(std::vector<TimedAzimuth> plots, double period) {
 
 // A beam far from most plots is none, however coherent some of them are.
 static void checkThatItExplains(const Rotation& rotation, const Plots& plots, double start) {
-  constexpr double kNear = kPi / 4.0, kMost = 0.6;
-  const auto is_near = [&](const TimedAzimuth& plot) {
-    return std::abs(wrapPi(plot.azimuth - rotation.unwrappedAt(start + plot.time))) < kNear;
-  };
-  const auto near = std::count_if(plots.begin(), plots.end(), is_near);
+  constexpr double kMost = 0.6;
+  const auto azimuthAt = [&](double time) { return rotation.unwrappedAt(start + time); };
+  const auto near = countNear(plots.data(), plots.data() + plots.size(), azimuthAt);
   if (static_cast<double>(near) >= kMost * static_cast<double>(plots.size())) return;
   throw std::invalid_argument("Rotation: the best beam, one turn in " + std::to_string(rotation.period()) +
                               " s, is near " + std::to_string(near) + " of " + std::to_string(plots.size()) +
