@@ -201,6 +201,14 @@ double CsvTable::time(std::size_t column) const {
   return parseDate(text(column), time) ? time : number(column);
 }
 
+double CsvTable::recordedTime(std::size_t column) const {
+  constexpr double kGreatest = 1e10;
+  const double time = this->time(column);
+  if (std::abs(time) > kGreatest)
+    fail(header_.at(column) + " is beyond 1e10 s: " + text(column) + " (it counts seconds, not milliseconds)");
+  return time;
+}
+
 std::uint32_t CsvTable::whole(std::size_t column, int base) const {
   const std::string& text = this->text(column);
   std::uint32_t value = 0;

@@ -40,6 +40,8 @@ class CsvTable {
   double numberOrUnknown(std::size_t column) const;
   /// [s]: a number, or a date and time of UTC such as 2024-04-23T14:53:00.102Z, which gives seconds since 1970.
   double time(std::size_t column) const;
+  /// The same of a recording: within ±1e10 s, the year 2286.
+  double recordedTime(std::size_t column) const;
   /// In [0, 2^32), written with this base.
   std::uint32_t whole(std::size_t column, int base = 10) const;
 

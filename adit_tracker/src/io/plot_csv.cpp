@@ -13,7 +13,6 @@ namespace adit_tracker {
 namespace {
 
 constexpr std::size_t kMostComplaints = 10;
-constexpr double kGreatestTime = 1e10;        // [s]: the year 2286
 constexpr double kLongestPause = 600.0;       // within a stretch of plots [s]
 constexpr std::size_t kFewestPlots = 3;       // of a stretch: fewer make no track
 constexpr double kFarthest = 30.0 * 86400.0;  // from the longest stretch [s]
@@ -39,9 +38,7 @@ double angleBetween(const tws::CsvTable& table, std::size_t column, const char* 
 
 tws::Plot plotOf(const tws::CsvTable& table, const Columns& columns) {
   tws::Plot plot;
-  plot.time = table.time(columns.time);
-  if (std::abs(plot.time) > kGreatestTime)
-    table.fail("t_s is beyond 1e10 s: " + table.text(columns.time) + " (it counts seconds, not milliseconds)");
+  plot.time = table.recordedTime(columns.time);
   plot.range = table.number(columns.range);
   if (plot.range <= 0.0) table.fail("range_m is not positive: " + table.text(columns.range));
   plot.azimuth = tws::wrapTwoPi(tws::radians(table.number(columns.azimuth)));
