@@ -7,11 +7,13 @@
 
 #include <string>
 
+#include <tws_core/temporary_folder_test_helpers.h>
 #include "graph_resolver.h"
 #include "run_input.h"
-#include "temporary_folder_test_helpers.h"
 
 namespace tws_launch {
+
+using tws::TemporaryFolder;
 
 inline const GraphFile& graphFile() {
   static const GraphFile kFile = readGraphFile(TWS_LAUNCH_FOLDER "/graph.yaml");

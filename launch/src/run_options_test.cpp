@@ -2,11 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <tws_core/temporary_folder_test_helpers.h>
 #include "command_words.h"
-#include "temporary_folder_test_helpers.h"
 
 namespace tws_launch {
 namespace {
+
+using tws::TemporaryFolder;
 
 // If one of these fails, a slip on the command line is silently something else than what was meant.
 

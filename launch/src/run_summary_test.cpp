@@ -5,10 +5,12 @@
 
 #include <sstream>
 
-#include "temporary_folder_test_helpers.h"
+#include <tws_core/temporary_folder_test_helpers.h>
 
 namespace tws_launch {
 namespace {
+
+using tws::TemporaryFolder;
 
 // A user judges a run by this table: what it says must be what happened.
 

@@ -4,21 +4,16 @@ import dataclasses
 import os
 import re
 import signal
-import socket
 import subprocess
 import time
 import xmlrpc.client
 
 import rosbag
 
+from graph_test_kit import free_port
+
 RATE = 4.0  # data time over wall time
 FIRM = 2
-
-
-def free_port():
-    with socket.socket() as probe:
-        probe.bind(("localhost", 0))
-        return probe.getsockname()[1]
 
 
 def environment(folder, master_uri):

@@ -12,7 +12,8 @@ import xml.etree.ElementTree
 import rosbag
 import rosgraph
 
-from campaign_graph import FIRM, Graph, Outcome, alive, check, environment, free_port, offline, skipped
+from campaign_graph import FIRM, Graph, Outcome, alive, check, environment, offline, skipped
+from graph_test_kit import free_port
 
 SCENARIO = pathlib.Path(__file__).resolve().parent.parent / "scenarios" / "adit_nominal.yaml"
 SENSORS = ("/sps12/detections", "/sps12/sector_marks", "/sps39/detections", "/sps39/sector_marks", "/tf_static")

@@ -13,6 +13,8 @@ import unittest
 
 import rosbag
 
+from graph_test_kit import message_bytes
+
 OFFLINE = sys.argv.pop()
 SHARED = os.environ.get("TWS_SHARED", "")
 FOLDER = pathlib.Path(SHARED, "data", "reported_inputs", "bags")
@@ -30,9 +32,8 @@ class Run:
             if done.returncode:
                 raise AssertionError(done.stdout)
             self.said = done.stdout
-            self.raw, self.firm = [], collections.defaultdict(list)
+            self.raw, self.firm = message_bytes(f"{folder}/run.bag"), collections.defaultdict(list)
             with rosbag.Bag(f"{folder}/run.bag") as bag:
-                self.raw = [data[4:] for _, (_, data, *_), _ in bag.read_messages(["/adit/tracks"], raw=True)]
                 for _, message, _ in bag.read_messages(["/adit/tracks"]):
                     self.firm[message.radar] += [t.uid for t in message.tracks if t.state == FIRM and message.header.stamp.to_sec() > STEP]
         rows = [line.split() for line in self.said.splitlines()]

@@ -12,6 +12,8 @@ import unittest
 
 import rosbag
 
+from graph_test_kit import message_bytes as tracks
+
 SCENARIOS = pathlib.Path(__file__).resolve().parent.parent / "scenarios"
 SENSORS = {"detections", "sector_marks", "range_profile", "truth", "tf_static"}
 
@@ -19,12 +21,6 @@ SENSORS = {"detections", "sector_marks", "range_profile", "truth", "tf_static"}
 def run(*words):
     return subprocess.run([str(word) for word in words], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, timeout=120,
                           check=False)
-
-
-def tracks(bag, topic):
-    """All messages on a topic as bytes, without the first four, which are header.seq."""
-    with rosbag.Bag(str(bag)) as opened:
-        return [raw[1][4:] for _, raw, _ in opened.read_messages([topic], raw=True)]
 
 
 def renamed(source, target, name_of):

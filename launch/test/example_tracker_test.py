@@ -11,6 +11,8 @@ import unittest
 import rosbag
 import rosunit
 
+from graph_test_kit import message_bytes as tracks
+
 EXAMPLE = pathlib.Path(__file__).parent / "example_tracker"
 SCENARIO = "one_aircraft"
 DURATION = 60  # of data time [s]
@@ -34,11 +36,6 @@ def live(file, record, **arguments):
 
 def messages(bag, topic):
     return [message for _, message, _ in rosbag.Bag(str(bag)).read_messages([topic])]
-
-
-def tracks(bag, topic):
-    """As bytes, without the first four, which are header.seq."""
-    return [raw[1][4:] for _, raw, _ in rosbag.Bag(str(bag)).read_messages([topic], raw=True)]
 
 
 class ExampleTrackerTest(unittest.TestCase):

@@ -11,6 +11,8 @@ import unittest
 
 import rosbag
 
+from graph_test_kit import message_bytes as tracks
+
 BUILD = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else "build").resolve()
 STAGE = BUILD / "install_test"  # Under build/: within the source tree it would be crawled for packages.
 PACKAGES = ["adit_tracker", "asterix_bridge", "esa_frame_builder", "radar_sim", "range_gate_tracker", "track_correlator",
@@ -36,10 +38,6 @@ def installed(command, **options):
     if done.returncode != 0:
         raise AssertionError(f"{command}: status {done.returncode}\n{done.stdout}")
     return done.stdout
-
-
-def tracks(bag):
-    return [raw[1][4:] for _, raw, _ in rosbag.Bag(str(bag)).read_messages(["/adit/tracks"], raw=True)]
 
 
 class InstallSpaceTest(unittest.TestCase):

@@ -8,13 +8,14 @@ import csv
 import math
 import os
 import pathlib
-import socket
 import subprocess
 import sys
 import tempfile
 import unittest
 
 import rosbag
+
+from graph_test_kit import free_port, message_bytes as tracks
 
 OFFLINE = sys.argv.pop()
 SHARED = os.environ.get("TWS_SHARED", "")
@@ -27,12 +28,6 @@ LIVE_DURATION = 200  # of data time [s]
 
 def quiet(*words, timeout=300):
     subprocess.run([str(word) for word in words], check=True, timeout=timeout, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-
-
-def free_port():
-    with socket.socket() as any_port:
-        any_port.bind(("", 0))
-        return any_port.getsockname()[1]
 
 
 class Score:
@@ -86,12 +81,6 @@ def score_of_bag(bag):
                 key = round((plot.stamp - start).to_sec(), 4), round(round(plot.range, 1))
                 plots[plot.stamp].append((*place(plot.range, plot.azimuth), codes[key].pop()))
     return Score(plots, firm)
-
-
-def tracks(bag):
-    """All messages on /adit/tracks as bytes, without the first four, which are header.seq."""
-    with rosbag.Bag(str(bag)) as opened:
-        return [raw[1][4:] for _, raw, _ in opened.read_messages(["/adit/tracks"], raw=True)]
 
 
 @unittest.skipUnless(SHARED, "TWS_SHARED is not set")

@@ -14,13 +14,9 @@ import xmlrpc.client
 import rosbag
 import rosgraph
 
+from graph_test_kit import free_port
+
 ODD = "it's \"two\nlines\" & März -x"
-
-
-def free_port():
-    with socket.socket() as probe:
-        probe.bind(("localhost", 0))
-        return probe.getsockname()[1]
 
 
 def wait(what, seconds=60):

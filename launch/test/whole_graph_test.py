@@ -14,6 +14,8 @@ import rospy
 import rosunit
 import yaml
 
+from graph_test_kit import message_bytes as tracks
+
 SCENARIO = "full"
 DURATION = 30  # of data time [s]: long enough for firm tracks, coasts and drops
 RADARS = ["sps12", "sps39"]
@@ -41,11 +43,6 @@ def launch(file, record, **arguments):
 def offline(source, folder, *options):
     command("rosrun", "tws_launch", "tws_offline", source, "--out", folder, *options)
     return folder / "run.bag"
-
-
-def tracks(bag, topic="/adit/tracks"):
-    """All messages on a topic as bytes, without the first four, which are header.seq."""
-    return [raw[1][4:] for _, raw, _ in rosbag.Bag(str(bag)).read_messages([topic], raw=True)]
 
 
 def late(bag):

@@ -10,6 +10,8 @@
 #include <fstream>
 #include <sstream>
 
+#include <tws_core/temporary_folder_test_helpers.h>
+
 namespace tws {
 namespace {
 
@@ -128,6 +130,7 @@ TEST(CsvTable, ReadsTimesAndWholeNumbers) {
   EXPECT_THROW(table.whole(1), std::runtime_error);
   table.next();
   EXPECT_EQ(table.time(0), 5.5);
+  EXPECT_EQ(table.recordedTime(0), 5.5);
   EXPECT_THROW(table.whole(1), std::runtime_error);
   table.next();
   EXPECT_THROW(table.time(0), std::runtime_error);
@@ -136,11 +139,6 @@ TEST(CsvTable, ReadsTimesAndWholeNumbers) {
 
 class OpenText : public testing::Test {
  protected:
-  std::string write(const std::string& name, const std::string& bytes) {
-    std::string path = testing::TempDir() + name;
-    std::ofstream(path, std::ios::binary) << bytes;
-    return path;
-  }
   static std::string complaintOf(const std::string& path) {
     try {
       const auto file = openText(path);
@@ -162,6 +160,8 @@ class OpenText : public testing::Test {
     out.reset();
     return bytes.str();
   }
+
+  const TemporaryFolder folder_;
 };
 
 // If this fails, a recording must be unpacked by hand, or half of a damaged one is taken for all of it.
@@ -169,13 +169,13 @@ TEST_F(OpenText, UnpacksGzipAndSaysWhenItIsCut) {
   std::string text = "a,b\n";
   for (int i = 0; i < 10000; ++i) text += std::to_string(i * i) + ",x\n";
   const std::string bytes = packed(text);
-  const std::string path = write("whole.csv.gz", bytes);
+  const std::string path = folder_.write("whole.csv.gz", bytes);
   const auto file = openText(path);
   CsvTable table(*file, path);
   int rows = 0;
   while (table.next()) ++rows;
   EXPECT_EQ(rows, 10000);
-  const std::string cut = complaintOf(write("cut.csv.gz", bytes.substr(0, bytes.size() / 2)));
+  const std::string cut = complaintOf(folder_.write("cut.csv.gz", bytes.substr(0, bytes.size() / 2)));
   EXPECT_NE(cut.find("cannot be read any further"), std::string::npos) << cut;
 }
 
@@ -183,7 +183,7 @@ TEST_F(OpenText, UnpacksGzipAndSaysWhenItIsCut) {
 TEST_F(OpenText, ADamagedFileIsComplainedOfOnceAndThenItsEnd) {
   std::string bytes = packed("a,b\n1,2\n");
   bytes[bytes.size() - 8] ^= 1;  // of the checksum
-  const std::string path = write("damaged.csv.gz", bytes);
+  const std::string path = folder_.write("damaged.csv.gz", bytes);
   const auto file = openText(path);
   int complaints = 0;
   std::unique_ptr<CsvTable> table;
@@ -199,9 +199,9 @@ TEST_F(OpenText, ADamagedFileIsComplainedOfOnceAndThenItsEnd) {
 TEST_F(OpenText, SaysWhatAFileIs) {
   EXPECT_EQ(complaintOf("/nowhere/f.csv"), ": cannot be read: No such file or directory");
   EXPECT_EQ(complaintOf("/tmp"), ": is a folder");
-  EXPECT_EQ(complaintOf(write("utf16.csv", std::string("\xFF\xFE"
-                                                       "a\0",
-                                                       4))),
+  EXPECT_EQ(complaintOf(folder_.write("utf16.csv", std::string("\xFF\xFE"
+                                                               "a\0",
+                                                               4))),
             ": is UTF-16, wanted is UTF-8 (iconv -f UTF-16 -t UTF-8 does it)");
   EXPECT_NE(complaintOf("/dev/zero").find("longer than"), std::string::npos);
   EXPECT_EQ(complaintOf("/dev/null"), ":1: is empty: the first line must name the columns");

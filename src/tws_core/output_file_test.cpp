@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "tws_core/file_size_limit_test_helpers.h"
+#include "tws_core/temporary_folder_test_helpers.h"
 
 namespace tws {
 namespace {
@@ -18,9 +19,6 @@ namespace fs = std::filesystem;
 /// A folder of its own, gone afterwards.
 class OutputFileTest : public testing::Test {
  protected:
-  OutputFileTest() { fs::create_directories(folder_); }
-  ~OutputFileTest() override { fs::remove_all(folder_); }
-
   static void put(const std::string& path, const std::string& text) { std::ofstream(path) << text; }
   static std::string textOf(const std::string& path) {
     std::stringstream text;
@@ -42,7 +40,8 @@ class OutputFileTest : public testing::Test {
     return "";
   }
 
-  const fs::path folder_ = fs::path(testing::TempDir()) / ("output_file_test_" + std::to_string(::getpid()));
+  const TemporaryFolder temporary_;
+  const fs::path folder_ = temporary_.path();
 };
 
 // If this fails, half a file stands where a whole one stood.

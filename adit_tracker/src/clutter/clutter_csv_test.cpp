@@ -9,6 +9,7 @@
 
 #include <tws_core/angles.h>
 #include <tws_core/random_test_helpers.h>
+#include <tws_core/temporary_folder_test_helpers.h>
 #include <tws_core/units.h>
 
 namespace adit_tracker {
@@ -163,9 +164,6 @@ TEST(ClutterCsv, ADamagedFileIsReadOrRefusedInWords) {
 
 class ClutterFile : public testing::Test {
  protected:
-  ClutterFile() { std::filesystem::create_directories(folder_); }
-  ~ClutterFile() override { std::filesystem::remove_all(folder_); }
-
   static std::string complaint(const std::function<void()>& act) {
     try {
       act();
@@ -175,7 +173,8 @@ class ClutterFile : public testing::Test {
     return "";
   }
 
-  const std::filesystem::path folder_ = std::filesystem::path(testing::TempDir()) / "adit_clutter_csv_test";
+  const tws::TemporaryFolder temporary_;
+  const std::filesystem::path folder_ = temporary_.path();
   const std::string path_ = folder_ / "map.csv";
 };
 

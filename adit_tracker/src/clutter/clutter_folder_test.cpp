@@ -12,6 +12,8 @@
 #include <stdexcept>
 #include <thread>
 
+#include <tws_core/temporary_folder_test_helpers.h>
+
 namespace adit_tracker {
 namespace {
 
@@ -19,9 +21,6 @@ namespace fs = std::filesystem;
 
 class ClutterFolderTest : public testing::Test {
  protected:
-  ClutterFolderTest() { fs::create_directories(root_); }
-  ~ClutterFolderTest() override { fs::remove_all(root_); }
-
   static ClutterLimits limits() {
     AditParams params;
     params.radars.resize(1);
@@ -37,7 +36,8 @@ class ClutterFolderTest : public testing::Test {
     return "";
   }
 
-  const fs::path root_ = fs::path(testing::TempDir()) / ("clutter_folder_test_" + std::to_string(::getpid()));
+  const tws::TemporaryFolder temporary_;
+  const fs::path root_ = temporary_.path();
   const fs::path maps_ = root_ / "maps";
   ClutterFolder folder_{maps_};
   const std::vector<ClutterPlace> places_{{"", 1000.0, 0.0}};

@@ -8,6 +8,8 @@
 #include <filesystem>
 #include <fstream>
 
+#include <tws_core/temporary_folder_test_helpers.h>
+
 #include "adit_node_test_helpers.h"
 
 namespace adit_tracker {
@@ -18,9 +20,6 @@ using Request = tws_msgs::OperatorRequest;
 /// A file of its own, gone afterwards.
 class ClutterInterfaceTest : public testing::Test {
  protected:
-  ClutterInterfaceTest() { std::filesystem::create_directories(folder_); }
-  ~ClutterInterfaceTest() override { std::filesystem::remove_all(folder_); }
-
   static tws_msgs::SaveClutterMap::Response save(NodeGraph& node, const std::string& path) {
     tws_msgs::SaveClutterMap::Request request;
     tws_msgs::SaveClutterMap::Response answer;
@@ -62,7 +61,8 @@ class ClutterInterfaceTest : public testing::Test {
     node.play(radars, 40.0, 120.0);
   }
 
-  const std::filesystem::path folder_ = std::filesystem::path(testing::TempDir()) / "adit_clutter_interface_test";
+  const tws::TemporaryFolder temporary_;
+  const std::filesystem::path folder_ = temporary_.path();
   const std::string path_ = folder_ / "map.csv";
   const std::string in_folder_ = "clutter_map_folder: " + folder_.string();
   const std::string with_file_ = "{clutter_map: " + path_ + "}";
