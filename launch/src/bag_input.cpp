@@ -215,7 +215,7 @@ class BagReader {
         names.push_back(input_.topics.at(topic.name));
     if (names.empty()) return;
     rosbag::View view(bag_, rosbag::TopicQuery(names));
-    input_.length = tws_runtime::toSeconds(view.getEndTime()) - tws_runtime::toSeconds(view.getBeginTime());
+    input_.length = tws_runtime::secondsBetween(view.getBeginTime(), view.getEndTime());
   }
 
   RunInput& input_;

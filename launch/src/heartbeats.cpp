@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
+
+#include "in_words.h"
 
 namespace tws_launch {
 
@@ -13,13 +16,13 @@ void Heartbeats::heard(const std::string& name, double now) {
 
 std::string Heartbeats::silent(double now) const {
   constexpr double kGaps = 5.0;
-  std::string text;
+  std::vector<std::string> silent;
   for (const auto& [name, speaker] : speakers_) {
     const double silence = now - speaker.last;
     if (silence < std::max(kShortest, kGaps * speaker.usualGap())) continue;
-    text += (text.empty() ? "" : ", ") + name + " for " + std::to_string(std::lround(silence)) + " s";
+    silent.push_back(name + " for " + std::to_string(std::lround(silence)) + " s");
   }
-  return text;
+  return joined(silent, ", ");
 }
 
 }  // namespace tws_launch

@@ -16,6 +16,8 @@
 namespace tws_launch {
 namespace {
 
+using tws_runtime::secondsBetween;
+
 using tws_msgs::Track;
 
 constexpr int kColumn = 12;
@@ -116,19 +118,19 @@ void RunSummary::add(const diagnostic_msgs::DiagnosticArray& message) {
   }
 }
 
-double RunSummary::simulatedTime() const { return tws_runtime::toSeconds(last_) - tws_runtime::toSeconds(first_); }
+double RunSummary::simulatedTime() const { return secondsBetween(first_, last_); }
 
-double RunSummary::trackedTime() const { return last_tracked_ > first_ ? (last_tracked_ - first_).toSec() : 0.0; }
+double RunSummary::trackedTime() const { return std::max(0.0, secondsBetween(first_, last_tracked_)); }
 
 std::string RunSummary::sensorNames() const {
-  std::string names;
+  std::vector<std::string> names;
   const auto add = [&](const auto& sensors) {
-    for (const auto& sensor : sensors) names += (names.empty() ? "" : ", ") + sensor.first;
+    for (const auto& sensor : sensors) names.push_back(sensor.first);
   };
   add(radars_);
   add(arrays_);
   add(staring_);
-  return names;
+  return joined(names, ", ");
 }
 
 std::size_t RunSummary::begunTracks() const {
@@ -147,9 +149,9 @@ std::string RunSummary::silence() const {
   for (const auto& [name, tracker] : trackers_) {
     for (const auto& [radar, stamp] : tracker.processed) {
       const auto spoken = spoken_.find(radar);
-      if (spoken == spoken_.end() || (spoken->second - stamp).toSec() < kSilent) continue;
-      return "tracker " + name + " fell silent at " + oneDecimal((stamp - first_).toSec()) + " s, while " + radar +
-             " spoke until " + oneDecimal((spoken->second - first_).toSec()) +
+      if (spoken == spoken_.end() || secondsBetween(stamp, spoken->second) < kSilent) continue;
+      return "tracker " + name + " fell silent at " + oneDecimal(secondsBetween(first_, stamp)) + " s, while " + radar +
+             " spoke until " + oneDecimal(secondsBetween(first_, spoken->second)) +
              " s: its tracks end there; its log says why, if it says anything";
     }
   }

@@ -99,6 +99,18 @@ TEST(RunSummary, ATrackerThatFallsSilentWhileItsRadarSpeaksIsAFailure) {
   EXPECT_EQ(summary.failure(), "");
 }
 
+// If this fails, one mad stamp in a bag ends the run's summary, which then says nothing of all the rest.
+TEST(RunSummary, AStampAtTheEndOfTimeIsBorne) {
+  RunSummary summary;
+  summary.add(detections("a", 1.0, 10));
+  tws_msgs::Tracks mad = tracks({{1, Track::FIRM}});
+  mad.radar = "a";
+  mad.header.stamp = ros::TIME_MAX;
+  summary.add(mad);
+  EXPECT_GT(summary.trackedTime(), 4e9);
+  EXPECT_EQ(summary.failure(), "");
+}
+
 TEST(RunSummary, CountsDwellsAndMeasurementsOfEachArray) {
   tws_msgs::DwellReports period;
   period.radar = "esa";

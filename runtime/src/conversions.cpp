@@ -35,6 +35,8 @@ double toSeconds(ros::Time time) {
   return static_cast<double>(static_cast<long double>(time.toNSec()) / 1e9L);  // A double cannot hold all of toNSec().
 }
 
+double secondsBetween(ros::Time earlier, ros::Time later) { return toSeconds(later) - toSeconds(earlier); }
+
 ros::Time toTime(double seconds) {
   constexpr double kEnd = 4294967296.0;  // 2^32, the end of ros::Time.
   if (!(seconds >= 0.0 && seconds < kEnd))

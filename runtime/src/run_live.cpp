@@ -72,7 +72,7 @@ class PacedClock {
  private:
   double wallElapsed() const { return (ros::WallTime::now() - wall_start_).toSec(); }
   double wallUntil(ros::Time time) const {
-    return rate_ > 0.0 ? (toSeconds(time) - toSeconds(data_start_)) / rate_ - wallElapsed() : 0.0;
+    return rate_ > 0.0 ? secondsBetween(data_start_, time) / rate_ - wallElapsed() : 0.0;
   }
   void tell(ros::Time time) {
     rosgraph_msgs::Clock message;
@@ -113,7 +113,7 @@ void runLive(RosBus& bus, Source& source, const LiveOptions& options) {
   if (options.settle > 0.0) bus.spinFor(options.settle);
   clock.start(*start);
   for (auto next = start; next && bus.ok(); next = source.nextTime()) {
-    if (toSeconds(*next) - toSeconds(*start) > options.duration) break;
+    if (secondsBetween(*start, *next) > options.duration) break;
     clock.waitUntil(*next);
     waitForCommands(bus, source, options.command_timeout);
     source.step();

@@ -123,7 +123,7 @@ class SineSpaceNode::Impl {
     if (!from_map) return;
     std::vector<SineSpaceTrack> shown;
     for (const auto& [uid, track] : tracks_) {
-      const double age = tws_runtime::toSeconds(message.header.stamp) - tws_runtime::toSeconds(track.stamp);
+      const double age = tws_runtime::secondsBetween(track.stamp, message.header.stamp);
       const Eigen::Vector3d place(track.position.x + age * track.velocity.x, track.position.y + age * track.velocity.y,
                                   track.position.z + age * track.velocity.z);
       const tws::Ruv ruv = tws::ruvFromArray(*from_map * place);

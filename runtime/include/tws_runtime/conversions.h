@@ -16,6 +16,9 @@ namespace tws_runtime {
 /// gives back the very nanosecond; for wall time since 1970 a double is good to 0.12 us, in which an aircraft moves
 /// less than 0.1 mm.
 double toSeconds(ros::Time time);
+/// How long after `earlier` `later` is [s]; below 0: before it. A difference of ros::Time throws when one of them is a
+/// mad stamp.
+double secondsBetween(ros::Time earlier, ros::Time later);
 /// The nanosecond next to `seconds`. Throws std::invalid_argument when it is NaN or not in [0, 2^32).
 ros::Time toTime(double seconds);
 
