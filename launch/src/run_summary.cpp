@@ -90,16 +90,13 @@ void RunSummary::add(const tws_msgs::Tracks& message) {
   last_tracked_ = std::max(last_tracked_, message.header.stamp);
   Tracker& tracker = trackers_[message.tracker];
   tracker.processed[message.radar] = message.header.stamp;
-  for (const Track& track : message.tracks) {
-    tracker.last_state[track.uid] = track.state;
-    if (track.state == Track::FIRM) tracker.became_firm.insert(track.uid);
-  }
+  for (const Track& track : message.tracks) tracker.census.add(track.uid, track.state);
 }
 
 void RunSummary::add(const tws_msgs::CorrelatedTracks& message) {
   if (!correlator_) correlator_ = Correlator{};
   for (const tws_msgs::CorrelatedTrack& track : message.tracks) {
-    correlator_->tracks.last_state[track.identity] = track.track.state;
+    correlator_->census.add(track.identity, track.track.state);
     correlator_->kind[track.identity] = track.kind;
     if (track.track.state == Track::DROPPED) correlator_->kind.erase(track.identity);
   }
@@ -135,13 +132,13 @@ std::string RunSummary::sensorNames() const {
 
 std::size_t RunSummary::begunTracks() const {
   std::size_t begun = 0;
-  for (const auto& [name, tracker] : trackers_) begun += tracker.last_state.size();
+  for (const auto& [name, tracker] : trackers_) begun += tracker.census.begun();
   return begun;
 }
 
 bool RunSummary::hasConfirmed() const {
-  return (correlator_ && !correlator_->tracks.last_state.empty()) ||
-         std::any_of(trackers_.begin(), trackers_.end(), [](const auto& t) { return !t.second.became_firm.empty(); });
+  return (correlator_ && correlator_->census.begun() > 0) ||
+         std::any_of(trackers_.begin(), trackers_.end(), [](const auto& t) { return t.second.census.everFirm() > 0; });
 }
 
 std::string RunSummary::silence() const {
@@ -183,16 +180,10 @@ std::uint64_t RunSummary::plots() const {
 }
 
 std::size_t RunSummary::livingTracks() const {
-  if (correlator_) return correlator_->tracks.living();
+  if (correlator_) return correlator_->census.living();
   std::size_t living = 0;
-  for (const auto& [name, tracker] : trackers_) living += tracker.living();
+  for (const auto& [name, tracker] : trackers_) living += tracker.census.living();
   return living;
-}
-
-std::size_t RunSummary::Tracker::living() const { return last_state.size() - count(Track::DROPPED); }
-
-std::size_t RunSummary::Tracker::count(std::uint8_t state) const {
-  return std::count_if(last_state.begin(), last_state.end(), [&](const auto& entry) { return entry.second == state; });
 }
 
 void RunSummary::print(std::ostream& out, const std::vector<tws_runtime::CounterReading>& counters,
@@ -237,9 +228,9 @@ void RunSummary::printStaring(std::ostream& out) const {
 void RunSummary::printTrackers(std::ostream& out) const {
   printRow(out, "tracker", "started", "firmed", "dropped", "at the end:", "firm", "coasting", "tentative", "clutter");
   for (const auto& [name, tracker] : trackers_)
-    printRow(out, name, tracker.last_state.size(), tracker.became_firm.size(), tracker.count(Track::DROPPED), "",
-             tracker.count(Track::FIRM), tracker.count(Track::COASTING), tracker.count(Track::TENTATIVE),
-             tracker.clutter_points);
+    printRow(out, name, tracker.census.begun(), tracker.census.everFirm(), tracker.census.ended(), "",
+             tracker.census.count(Track::FIRM), tracker.census.count(Track::COASTING),
+             tracker.census.count(Track::TENTATIVE), tracker.clutter_points);
 }
 
 void RunSummary::printCorrelator(std::ostream& out) const {
@@ -250,7 +241,7 @@ void RunSummary::printCorrelator(std::ostream& out) const {
   };
   using tws_msgs::CorrelatedTrack;
   printRow(out, "correlator", "identities", "ended", "at the end:", "correlated", "primary", "secondary");
-  printRow(out, "correlated", correlator_->tracks.last_state.size(), correlator_->tracks.count(Track::DROPPED), "",
+  printRow(out, "correlated", correlator_->census.begun(), correlator_->census.ended(), "",
            of(CorrelatedTrack::CORRELATED), of(CorrelatedTrack::PRIMARY_ONLY), of(CorrelatedTrack::SECONDARY_ONLY));
 }
 

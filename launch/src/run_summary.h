@@ -14,9 +14,10 @@
 #include <iosfwd>
 #include <map>
 #include <optional>
-#include <set>
 #include <string>
 #include <vector>
+
+#include "track_census.h"
 
 namespace tws_launch {
 
@@ -66,15 +67,12 @@ class RunSummary {
     std::uint64_t bins = 0;
   };
   struct Tracker {
-    std::map<std::uint32_t, std::uint8_t> last_state;  ///< Of each track that ever was, by its uid.
-    std::set<std::uint32_t> became_firm;
+    TrackCensus census;
     std::map<std::string, ros::Time> processed;  ///< The last sector, or the like, of each radar.
     std::size_t clutter_points = 0;
-    std::size_t count(std::uint8_t state) const;
-    std::size_t living() const;
   };
   struct Correlator {
-    Tracker tracks;                              ///< By the correlator's own identities.
+    TrackCensus census;                          ///< By the correlator's own identities.
     std::map<std::uint32_t, std::uint8_t> kind;  ///< Of each living one.
   };
 

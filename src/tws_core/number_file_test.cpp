@@ -62,6 +62,33 @@ TEST(NumberFile, RefusesASizeItCannotKeep) {
   for (std::uint32_t size : {0U, 1U, 0xffffffffU}) EXPECT_THROW(NumberFile{size}, std::invalid_argument) << size;
 }
 
+// If this fails, a map of clutter that is kept by number grows for hours, whatever it holds.
+TEST(NumberFile, ADroppedNumberThatHasRestedIsHandedOutBeforeANewOne) {
+  NumberFile file(1000, 3);
+  for (std::uint32_t i = 0; i < 5; ++i) EXPECT_EQ(file.take(), i);
+  for (std::uint32_t i : {4U, 0U, 2U}) file.drop(i);
+  EXPECT_EQ(file.take(), 5U);  // None has rested.
+  file.drop(1);
+  EXPECT_EQ(file.take(), 4U);
+  EXPECT_EQ(file.take(), 6U);
+  EXPECT_EQ(file.available(), 995U);
+  for (int i = 0; i < 100000; ++i) {
+    const auto number = file.take();
+    ASSERT_TRUE(number && *number < 5 + 3 + 2) << *number;
+    file.drop(*number);
+  }
+}
+
+TEST(NumberFile, HandsOutNumbersThatHaveNotRestedWhenThereAreNoOthers) {
+  NumberFile file(4, 100);
+  for (std::uint32_t i = 0; i < 3; ++i) EXPECT_EQ(file.take(), i);
+  file.drop(1);
+  EXPECT_EQ(file.take(), 3U);
+  file.drop(0);
+  EXPECT_EQ(file.take(), 1U);
+  EXPECT_EQ(file.take(), std::nullopt);
+}
+
 // Two tracks with one number overwrite each other; a lost number lowers the capacity for good.
 TEST(NumberFile, BehavesLikeAQueueOfUnusedNumbersUnderRandomUse) {
   auto generator = seededGenerator();

@@ -11,6 +11,8 @@ namespace {
 // A point updated so recently has been met on this scan already and has changed its sector since. The report's second
 // is longer than a scan of a fast radar: then half a scan counts.
 constexpr double kSameScan = 1.0;  // [s]
+// Memory follows the highest number. Nobody asks for a point that so many others have been dropped after.
+constexpr std::uint32_t kRestingNumbers = 4096;
 
 /// One that no radar has seen yet.
 ClutterPoint pointAt(double range, double azimuth, double time) {
@@ -50,7 +52,7 @@ std::optional<std::uint32_t> claimNearest(NumbersBySector& there, const std::vec
 }  // namespace
 
 ClutterMap::ClutterMap(const ClutterParams& params, const ConversionParams& conversion)
-    : params_(params), conversion_(conversion), numbers_(params.capacity), sectors_(params.capacity) {}
+    : params_(params), conversion_(conversion), numbers_(params.capacity, kRestingNumbers), sectors_(params.capacity) {}
 
 Gate ClutterMap::regionAround(double range, const RadarQuality& quality) const {
   Gate region = params_.gate;
