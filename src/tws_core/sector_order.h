@@ -52,6 +52,7 @@ class SectorOrder {
   bool silent(std::size_t radar) const { return handed_out_ > radars_[radar].done_until + limit_; }
 
  private:
+  static constexpr double kNever = -std::numeric_limits<double>::infinity();
   struct Pending {
     std::int64_t running;
     double enter_time, leave_time;
@@ -62,8 +63,8 @@ class SectorOrder {
     std::int64_t next = 0;
     double newest_leave = 0.0;
     double sector_duration = 0.0;
-    double done_until = -std::numeric_limits<double>::infinity();  // leave time of the sector handed out last
-    bool known = false;                                            // at least one of its sectors has come
+    double done_until = kNever;  // leave time of the sector handed out last
+    bool known = false;          // at least one of its sectors has come
   };
 
   std::optional<std::size_t> earliest() const;
@@ -76,9 +77,9 @@ class SectorOrder {
   std::vector<Radar> radars_;
   double limit_;
   std::int64_t ahead_;
-  double newest_ = 0.0;      // newest time of any radar
-  double first_ = 0.0;       // first time of any radar
-  double handed_out_ = 0.0;  // enter time of the youngest sector handed out
+  double newest_ = kNever;      // newest time of any radar
+  double first_ = 0.0;          // first time of any radar
+  double handed_out_ = kNever;  // enter time of the youngest sector handed out
   bool any_ = false;
   bool any_handed_out_ = false;
   bool finished_ = false;

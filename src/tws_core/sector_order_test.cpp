@@ -121,6 +121,17 @@ TEST(SectorOrder, GoesOnWithoutARadarThatHasFallenSilent) {
   EXPECT_FALSE(queue.silent(1));
 }
 
+// If this fails, a recording that begins before its time zero has new tracks at every turn until then.
+TEST(SectorOrder, TakesTimesBeforeZeroAsAnyOther) {
+  for (const double start : {-100.0, 100.0}) {
+    SectorOrder queue(2, 1.0, 0);
+    std::vector<Sector> order;
+    for (const Sector& s : sectorsOf(0, 0.1, 0, 20, start)) give(queue, s, order);
+    EXPECT_EQ(order.size(), 10U) << start;
+    EXPECT_FALSE(queue.silent(0)) << start;
+  }
+}
+
 TEST(SectorOrder, GoesOnWithoutARadarThatWasNeverHeard) {
   SectorOrder queue(2, 1.0, 4);
   std::vector<Sector> order;
