@@ -14,11 +14,11 @@
 
 #include <tws_core/csv_table.h>
 #include <tws_core/output_file.h>
-#include <tws_core/rotation.h>
 #include <tws_core/units.h>
 
 #include "adit_params_reader.h"
 #include "clutter/clutter_csv.h"
+#include "io/beam_times.h"
 #include "io/plot_csv.h"
 #include "io/radar_spec.h"
 #include "io/sector_feed.h"
@@ -34,19 +34,6 @@ struct Options {
   double epochs = 0.0;
   std::string clutter_map, save_clutter_map;  // files; empty: none
 };
-
-tws::Rotation rotationOf(const RadarSpec& spec, const std::vector<tws::Plot>& plots) {
-  if (!std::isnan(spec.phase)) return tws::Rotation::uniform(spec.period, spec.phase);
-  std::vector<tws::TimedAzimuth> points;
-  points.reserve(plots.size());
-  for (const tws::Plot& plot : plots) points.push_back({plot.time, plot.azimuth});
-  try {
-    return spec.period > 0.0 ? tws::Rotation::fromPlots(points, spec.period) : tws::Rotation::fromPlots(points);
-  } catch (const std::invalid_argument& error) {
-    throw std::runtime_error("radar " + spec.id + ": " + error.what() + "; give --radar " + spec.id +
-                             ":PERIOD_S:PHASE_DEG");
-  }
-}
 
 /// The radars that were named, else all of the file.
 std::vector<RadarSpec> radarsOf(const Options& options, PlotTable& table) {
@@ -101,12 +88,10 @@ Input inputOf(const Options& options, PlotTable& table) {
   input.has_elevations = table.has_elevations;
   const std::vector<RadarParams> given = std::exchange(input.params.radars, {});
   for (const RadarSpec& spec : radarsOf(options, table)) {
-    const auto& plots = table.radars[spec.id];
+    auto& plots = table.radars[spec.id];
     if (plots.empty()) throw std::runtime_error(options.detections + ": there is no plot of radar " + spec.id);
-    const tws::Rotation rotation = rotationOf(spec, plots);
-    for (const double time : rotation.breaks())
-      std::fprintf(stderr, "radar %s: beam break at %.1f s: another speed or phase, or its clock was set\n",
-                   spec.id.c_str(), time);
+    const tws::Rotation rotation = learnBeam(
+        spec, plots, [&](const std::string& finding) { std::cerr << "radar " << spec.id << ": " << finding << '\n'; });
     input.params.radars.push_back(paramsOf(spec.id, given));
     input.params.radars.back().period = rotation.period();
     input.first_time = std::min(input.first_time, plots.front().time);

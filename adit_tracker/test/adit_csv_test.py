@@ -2,6 +2,7 @@
 """adit_csv from the command line: adit_csv_test.py PATH_OF_ADIT_CSV"""
 import math
 import os
+import re
 import subprocess
 import sys
 import tempfile
@@ -180,6 +181,55 @@ class AditCsv(unittest.TestCase):
         rows = sorted(own + clutter, key=lambda row: float(row.split(",")[0]))
         _, said = self.track(rows, radars=("a",))
         self.assertRegex(said, r"radar a +period (5\.99|6\.00)")
+
+    @staticmethod
+    def fleet(beam, until=240.0):
+        """Twelve aircraft as rows (time, range, azimuth); `beam`(turn, azimuth in turns) says when they are met."""
+        rows = []
+        for k in range(12):
+            x, y = 50e3 * math.sin(2.4 * k), (20e3 + 4e3 * k) * math.cos(2.4 * k)
+            vx, vy = 150 * math.cos(k), 150 * math.sin(k)
+            for turn in range(200):
+                t = 0.0
+                for _ in range(20):
+                    azimuth = math.atan2(x + vx * t, y + vy * t) / math.tau % 1.0
+                    t = beam(turn, azimuth)
+                if t < until:
+                    rows.append((t, math.hypot(x + vx * t, y + vy * t), 360 * azimuth))
+        return sorted(rows)
+
+    def picture_of(self, rows):
+        """How many tracks become firm and are started, and what was said."""
+        _, said = self.track([f"{t:.4f},a,0,{r:.1f},{azimuth:.4f}" for t, r, azimuth in rows], radars=())
+        return int(re.search(r"become firm +(\d+)", said)[1]), int(re.search(r"started +(\d+)", said)[1]), said
+
+    # If these fail, hundreds of tracks are started of a dozen aircraft, because the file's times are poor.
+    def test_tracks_go_on_over_a_step_of_the_clock(self):
+        rows = self.fleet(lambda turn, azimuth: 4 * (turn + azimuth))
+        healthy = self.picture_of(rows)
+        self.assertEqual(healthy[0], 12)
+        for step, words in ((3.0, "put forward by 3.00 s"), (-3.0, "put back by 3.00 s"), (-1.0, "put back by 1.00 s")):
+            for at in (60.0, 150.0):
+                firm, started, said = self.picture_of(sorted((t + (step if t > at else 0.0), r, a) for t, r, a in rows))
+                self.assertEqual((firm, started), healthy[:2], said)
+                self.assertIn(words, said)
+
+    def test_times_in_whole_seconds_are_refined(self):
+        for period in (2.5, 4.0, 10.0):
+            rows = self.fleet(lambda turn, azimuth: period * (turn + azimuth))
+            healthy = self.picture_of(rows)
+            for rounded in (math.floor, round):
+                firm, started, said = self.picture_of([(rounded(t), r, a) for t, r, a in rows])
+                self.assertEqual(firm, 12, said)
+                self.assertLessEqual(started, healthy[1] + 1, said)
+                self.assertIn("radar a: its times are whole steps of 1 s; they are refined by the beam's azimuth\n", said)
+
+    def test_an_antenna_that_scans_to_and_fro_is_refused(self):
+        for degrees in (90, 180, 270):
+            rows = self.fleet(lambda turn, azimuth: 4 * (turn + (azimuth if turn % 2 == 0 else degrees / 360 - azimuth)))
+            self.write([f"{t:.4f},a,0,{r:.1f},{a:.4f}" for t, r, a in rows if a < degrees])
+            self.assertRegex(self.refused(), "^adit_csv: radar a: the antenna scans to and fro, at about 90 deg/s: that is not read\n$")
+            self.assertIn("to and fro", self.refused("--radar", "a:4:0"))
 
     def test_radars_that_are_not_named_are_left_out_and_counted(self):
         _, said = self.track(plots(), radars=("a:6:0",))

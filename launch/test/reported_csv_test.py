@@ -7,6 +7,7 @@ something that it does not say.
 import json
 import os
 import pathlib
+import re
 import subprocess
 import tempfile
 import unittest
@@ -63,9 +64,29 @@ class ReportedCsv(unittest.TestCase):
                 self.assertAlmostEqual(len(tracks), len(base), delta=12)
                 self.assertEqual("pass midnight 1 time" in said, name == "tod_wrap_midnight")
 
+    # Firm tracks, and how many may be started.
+    def test_poor_times_and_another_beam_cost_no_track(self):
+        for name, firm, most in (("whole_seconds", 12, 13), ("no_rotation_same_time", 12, 13), ("clock_step_plus3s", 20, 21),
+                                 ("clock_step_minus3s", 20, 21), ("restart_20s_other_phase", 20, 21), ("restart_phase", 24, 25),
+                                 ("speed_const_same_flights", 20, 21), ("speed_change_same_flights", 20, 21)):
+            with self.subTest(name):
+                _, said = self.tracks_of(name)
+                self.assertEqual(int(re.search(r"become firm +(\d+)", said)[1]), firm, said)
+                self.assertLessEqual(int(re.search(r"started +(\d+)", said)[1]), most, said)
+
+    # A file joined to itself: each plot stands in it twice.
+    def test_a_table_that_repeats_itself_gives_its_tracks_once(self):
+        base, _ = self.tracks_of("base")
+        twice, out = self.folder / "twice.csv", self.folder / "twice_tracks.csv"
+        rows = (FILES / "base.csv").read_text()
+        twice.write_text(rows + rows.split("\n", 1)[1])
+        done = self.run_program(ADIT_CSV, "--detections", twice, "--tracks", out)
+        self.assertEqual((done.returncode, out.read_text().splitlines()), (0, base), done.stderr)
+
     def test_what_is_refused_says_what_would_help(self):
         for name, words in (("utf16", "iconv -f UTF-16"), ("epoch_ms", "not milliseconds"), ("no_header", "must name the columns"),
-                            ("empty", "is empty"), ("header_only", "no usable plot")):
+                            ("empty", "is empty"), ("header_only", "no usable plot"),
+                            ("counterclockwise", "turns counter-clockwise, once in 4.000 s")):
             with self.subTest(name):
                 done = self.run_program(ADIT_CSV, "--detections", FILES / f"{name}.csv", "--tracks", self.folder / "tracks.csv")
                 self.assertEqual(done.returncode, 1)

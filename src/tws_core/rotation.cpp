@@ -9,6 +9,7 @@
 #include <utility>
 
 #include <tws_core/angles.h>
+#include <tws_core/beam_sense.h>
 #include <tws_core/median.h>
 #include <tws_core/rotation_search.h>
 #include <tws_core/units.h>
@@ -145,6 +146,29 @@ void append(std::vector<BeamLine>& lines, const BeamLine& line, double length) {
   lines.push_back(line);
 }
 
+// A break near an end is within the outer window, whose line, if any, is that of its better part: of the other part, a
+// quarter or half of the window may have one.
+std::optional<BeamLine> lineAtEnd(const Plots& plots, const BeamLine& outer, double frequency, double length,
+                                  bool late) {
+  constexpr std::ptrdiff_t kLeastPlots = 12;
+  const TimedAzimuth* const first = plots.data();
+  const TimedAzimuth* const last = first + plots.size();
+  for (const double part : {0.25, 0.5}) {
+    const TimedAzimuth* const from = late ? firstNotBefore(first, last, plots.back().time - part * length) : first;
+    const TimedAzimuth* const to = late ? last : firstNotBefore(first, last, part * length);
+    if (to - from < kLeastPlots || explains(outer, from, to)) continue;
+    const auto line = fitLine(from, to, frequency);
+    if (line && (late ? line->time > outer.time : line->time < outer.time)) return line;
+  }
+  return std::nullopt;
+}
+
+void addEnds(std::vector<BeamLine>& lines, const Plots& plots, double frequency, double length) {
+  if (lines.empty()) return;
+  if (const auto line = lineAtEnd(plots, lines.front(), frequency, length, false)) lines.insert(lines.begin(), *line);
+  if (const auto line = lineAtEnd(plots, lines.back(), frequency, length, true)) lines.push_back(*line);
+}
+
 // Lines through windows of this length, each half over the one before, the last one whole as well.
 std::vector<BeamLine> localLines(const Plots& plots, double frequency, double length) {
   constexpr std::size_t kLeastPlots = 12;
@@ -252,6 +276,7 @@ static void checkThatItExplains(const Rotation& rotation, const Plots& plots, do
   constexpr double kMost = 0.6;
   const auto azimuthAt = [&](double time) { return rotation.unwrappedAt(start + time); };
   const auto near = countNear(plots.data(), plots.data() + plots.size(), azimuthAt);
+  if (scansToAndFro(plots)) throw std::invalid_argument("Rotation: the antenna scans to and fro");
   if (static_cast<double>(near) >= kMost * static_cast<double>(plots.size())) return;
   throw std::invalid_argument("Rotation: the best beam, one turn in " + std::to_string(rotation.period()) +
                               " s, is near " + std::to_string(near) + " of " + std::to_string(plots.size()) +
@@ -267,6 +292,7 @@ Rotation Rotation::follow(const std::vector<TimedAzimuth>& plots, double frequen
     throw std::invalid_argument("Rotation: the plots lie along a beam nowhere for ten turns, or are too few there");
   }
   dropWorst(lines);
+  addEnds(lines, plots, frequency, length);
   lines.front().azimuth += wrapTwoPi(lines.front().at(0.0)) - lines.front().at(0.0);
   const std::vector<double> breaks = unwrap(lines, plots, 2.0 * length);
   std::vector<Knot> knots;
@@ -285,8 +311,9 @@ Rotation Rotation::follow(const std::vector<TimedAzimuth>& plots, double frequen
   }
   add(lines.back(), lines.back().time + length / 2.0);
   Rotation rotation(std::move(knots));
-  for (const double time : breaks)
-    if (!std::isnan(time)) rotation.breaks_.push_back(start + time);
+  const auto steady = [&](const BeamLine& line) { return SteadyBeam{start + line.time, line.azimuth, line.rate}; };
+  for (std::size_t i = 1; i < lines.size(); ++i)
+    if (!std::isnan(breaks[i])) rotation.breaks_.push_back({start + breaks[i], steady(lines[i - 1]), steady(lines[i])});
   checkThatItExplains(rotation, plots, start);
   return rotation;
 }

@@ -3,6 +3,8 @@
 #include <utility>
 #include <vector>
 
+#include <tws_core/antenna.h>
+
 namespace tws {
 
 /// When the beam was where: the time [s] and measured azimuth [rad], clockwise, of one plot.
@@ -31,9 +33,14 @@ class Rotation {
 
   /// The mean [s] over the time seen.
   double period() const;
-  /// The times [s] at which the beam did not go on as before: another speed or phase, or the radar's clock was set.
-  /// There the unwrapped azimuth leaps within a millisecond.
-  const std::vector<double>& breaks() const { return breaks_; }
+  /// The beam did not go on as before: another speed or phase, or the radar's clock was set. There the unwrapped
+  /// azimuth leaps within a millisecond.
+  struct Break {
+    double time;  // [s]
+    SteadyBeam before, after;
+  };
+  /// In order of time.
+  const std::vector<Break>& breaks() const { return breaks_; }
   /// The beam's unwrapped azimuth [rad] at a time [s].
   double unwrappedAt(double time) const;
   /// The time [s] at which the beam stood there: the inverse of unwrappedAt.
@@ -48,7 +55,7 @@ class Rotation {
   explicit Rotation(std::vector<Knot> knots) : knots_(std::move(knots)) {}
   static Rotation follow(const std::vector<TimedAzimuth>& plots, double frequency, double start);
 
-  std::vector<double> breaks_;
+  std::vector<Break> breaks_;
   std::vector<Knot> knots_;  // two or more, both members strictly increasing
 };
 

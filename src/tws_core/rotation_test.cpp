@@ -192,10 +192,36 @@ TEST(Rotation, GoesOnBehindABreak) {
     plots.insert(plots.end(), more.begin(), more.end());
     const Rotation rotation = Rotation::fromPlots(plots);
     ASSERT_EQ(rotation.breaks().size(), 1U) << c.period << ' ' << c.jump;
-    EXPECT_NEAR(rotation.breaks()[0], 300.0, 4.0);
+    EXPECT_NEAR(rotation.breaks()[0].time, 300.0, 4.0);
     EXPECT_LT(worstError(rotation, before, 0.0, 296.0), radians(1.0)) << c.period << ' ' << c.jump;
     EXPECT_LT(worstError(rotation, after, 304.0, 600.0), radians(1.0)) << c.period << ' ' << c.jump;
     expectMonotoneWithInverse(rotation, 0.0, 600.0);
+  }
+}
+
+// If this fails, a radar whose clock is set, or whose antenna is restarted, in its first minute has no track until
+// then.
+TEST(Rotation, BeginsAndEndsWithAShortPiece) {
+  auto generator = seededGenerator();
+  for (const double at : {12.0, 20.0, 280.0, 288.0}) {
+    const Turning before = even(4.0, 1.0);
+    const Turning after = even(4.0, 1.0 + kPi / 2.0);
+    Plots plots = plotsOf(generator, before, 0.0, at, 5.0);
+    const Plots more = plotsOf(generator, after, at, 300.0, 5.0);
+    plots.insert(plots.end(), more.begin(), more.end());
+    const Rotation rotation = Rotation::fromPlots(plots);
+    EXPECT_EQ(rotation.breaks().size(), 1U) << at;
+    EXPECT_LT(worstError(rotation, before, 0.0, at - 4.0), radians(4.0)) << at;
+    EXPECT_LT(worstError(rotation, after, at + 4.0, 300.0), radians(4.0)) << at;
+  }
+}
+
+// If this fails, an antenna that scans to and fro over 270 degrees has tracks of nothing.
+TEST(Rotation, OfAnAntennaThatScansToAndFroIsRefused) {
+  auto generator = seededGenerator();
+  for (const double width : {radians(60.0), radians(180.0), radians(270.0), radians(340.0)}) {
+    const Turning beam = [&](double time) { return 1.0 + std::abs(std::remainder(time, 9.0)) / 4.5 * width; };
+    EXPECT_THROW(Rotation::fromPlots(plotsOf(generator, beam, 0.0, 300.0, 3.0)), std::invalid_argument) << width;
   }
 }
 
