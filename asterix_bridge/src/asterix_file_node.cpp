@@ -6,6 +6,8 @@
 #include <cmath>
 #include <set>
 
+#include <tws_core/beam_sense.h>
+
 #include "asterix_params.h"
 #include "radar_outlet.h"
 #include "report_csv.h"
@@ -24,12 +26,14 @@ std::vector<SourceId> busiestFirst(const Contents& contents) {
   return radars;
 }
 
-// Those of the list, and the busiest of the others up to a bound, the busiest first.
+// Those of the list, and the busiest of the others up to a bound, the busiest first; of those that scan to and fro the
+// first sweep would look like any other antenna's.
 std::vector<SourceId> chosenRadars(const Contents& contents, const RadarFeed::Options& options) {
   std::vector<SourceId> chosen;
   std::size_t others = 0;
   for (const SourceId radar : busiestFirst(contents))
-    if (options.listed.count(radar) > 0 || (!options.only_listed && others++ < options.most_radars))
+    if (!tws::scansToAndFro(contents.radars.at(radar).first) &&
+        (options.listed.count(radar) > 0 || (!options.only_listed && others++ < options.most_radars)))
       chosen.push_back(radar);
   return chosen;
 }
@@ -49,6 +53,9 @@ class AsterixFileNode::Impl {
         feed_(clock_, feedOptions(), events()),
         blocks_(recording_.blocks()) {
     if (contents_.radars.empty()) throw std::runtime_error(params_.file + ": " + whyEmpty(contents_));
+    sayWhatScansToAndFro();
+    if (radars_.empty() && !problems_.empty())
+      throw std::runtime_error(params_.file + ": nothing is left: " + problems());
     if (radars_.empty()) throw std::runtime_error(params_.file + ": none of the parameter's radars is in it");
     openRadars();
     fill();
@@ -86,6 +93,12 @@ class AsterixFileNode::Impl {
     return options;
   }
 
+  void sayWhatScansToAndFro() {
+    for (const auto& [radar, its] : contents_.radars)
+      if (tws::scansToAndFro(its.first))
+        fault("radars that scan to and fro", radarName(radar) + ": " + tws::otherScanOf(its.first));
+  }
+
   /// The busiest first, for it is the main one; then those whose place is known.
   void openRadars() {
     for (const SourceId radar : radars_) outlet_.open(radar);
@@ -102,12 +115,14 @@ class AsterixFileNode::Impl {
       sectors_.emplace(std::pair(time, radar), std::move(sector));
     };
     events.position = [](SourceId, const tws::Geodetic&) {};
-    events.fault = [this](const std::string& counter, const std::string& reason) {
-      bus_.counter(counter).add(reason);
-      if (problems_.size() < kMostProblems) problems_.try_emplace(counter, reason);
-    };
+    events.fault = [this](const std::string& counter, const std::string& reason) { fault(counter, reason); };
     events.left_out = [this](const std::string& counter) { bus_.counter(counter).add(); };
     return events;
+  }
+
+  void fault(const std::string& counter, const std::string& reason) {
+    bus_.counter(counter).add(reason);
+    if (problems_.size() < kMostProblems) problems_.try_emplace(counter, reason);
   }
 
   /// The first of each kind, for a file of which nothing comes out.

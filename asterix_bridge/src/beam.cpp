@@ -9,6 +9,7 @@
 #include <vector>
 
 #include <tws_core/angles.h>
+#include <tws_core/beam_sense.h>
 #include <tws_core/median.h>
 
 namespace asterix_bridge {
@@ -26,7 +27,10 @@ bool isPeriod(double period) { return period >= kLeastPeriod && period <= kGreat
 }  // namespace
 
 void Beam::add(double time, double azimuth) {
+  constexpr std::size_t kLatest = 200;
   points_.push_back({time, azimuth});
+  latest_points_.push_back(points_.back());
+  if (latest_points_.size() > kLatest) latest_points_.pop_front();
   if (latest_) break_.add(points_.back(), *latest_);
 }
 
@@ -80,6 +84,7 @@ bool Beam::isDue(double now) const {
 bool Beam::learn(double now, double fixed) {
   if (!isDue(now) || (line_ && doubtfulSince())) return isKnown();
   learned_ = now;
+  if (!line_ && scansToAndFro()) return false;
   const double turns = period_ ? kTurnsKept * *period_ : kLongestSearch;
   forgetBefore(line_ ? std::min(now - turns, fixed - turns / 2.0) : now - turns);
   if (auto rotation = fit()) {
@@ -136,7 +141,7 @@ void Beam::watch() {
 }
 
 std::optional<tws::SteadyBeam> Beam::findBreak() {
-  if (!line_ || !break_.since()) return std::nullopt;
+  if (!line_ || !break_.since() || scansToAndFro()) return std::nullopt;
   const auto found = break_.find(*latest_, nominal_);
   if (found && isPeriod(tws::kTwoPi / found->rate)) return found;
   return std::nullopt;
@@ -162,8 +167,9 @@ bool Beam::isLost() const {
   constexpr std::size_t kMany = 30;
   constexpr double kTurns = 4.0, kLong = 10.0;
   const auto since = break_.since();
-  return since && break_.reports().size() >= kMany &&
-         std::abs(points_.back().time - *since) > std::max(kLong, kTurns * *period_);
+  if (!since) return false;
+  const double ago = std::abs(points_.back().time - *since);
+  return scansToAndFro() || (break_.reports().size() >= kMany && ago > std::max(kLong, kTurns * *period_));
 }
 
 std::string Beam::whyUnknown() const {
@@ -171,18 +177,13 @@ std::string Beam::whyUnknown() const {
   if (points_.empty()) return "there are none with a time";
   const auto ends = std::minmax_element(points_.begin(), points_.end(), earlier);
   if (ends.second->time - ends.first->time < kLeastPeriod) return "all have the same time, or nearly so";
-  std::vector<tws::TimedAzimuth> mirrored(points_.begin(), points_.end());
-  for (auto& point : mirrored) point.azimuth = tws::kTwoPi - point.azimuth;
-  try {
-    const double period = tws::Rotation::fromPlots(mirrored).period();
-    char text[80];
-    std::snprintf(text, sizeof text, "the antenna turns counter-clockwise, once in %.3f s: that is not read", period);
-    return text;
-  } catch (const std::invalid_argument&) {
-    return "they do not show how it turns; periods of 0.2 to 120 s are found, antennas that scan to and fro are not "
-           "read";
-  }
+  const std::string other =
+      tws::otherScanOf(scansToAndFro() ? std::vector<tws::TimedAzimuth>(latest_points_.begin(), latest_points_.end())
+                                       : std::vector<tws::TimedAzimuth>(points_.begin(), points_.end()));
+  return other.empty() ? "they do not show how it turns; periods of 0.2 to 120 s are found" : other;
 }
+
+bool Beam::scansToAndFro() const { return tws::scansToAndFro({latest_points_.begin(), latest_points_.end()}); }
 
 namespace {
 

@@ -53,6 +53,8 @@ class Beam {
   void raise(double time, double least);
   /// Reports have contradicted for so long that the beam is not known any more.
   bool isLost() const;
+  /// What came last shows an antenna that scans to and fro: no beam is learned from it.
+  bool scansToAndFro() const;
   /// Why the beam is not known, for a person.
   std::string whyUnknown() const;
 
@@ -69,6 +71,7 @@ class Beam {
   bool isDue(double now) const;
 
   std::deque<tws::TimedAzimuth> points_;
+  std::deque<tws::TimedAzimuth> latest_points_;  // whatever was learned meanwhile
   std::deque<double> norths_;
   std::optional<tws::TimedAzimuth> mark_;  // the latest
   std::deque<double> periods_;             // as pairs of marks show them

@@ -143,6 +143,16 @@ DataClock clockFor(const Recording& recording, std::optional<double> date) {
   return DataClock(time > recording.writeTime() ? time - kDay : time);
 }
 
+namespace {
+
+void noteFirst(RadarContents& radar, double time, double azimuth) {
+  constexpr std::size_t kMost = 200;
+  if (radar.first.size() < kMost && std::isfinite(time) && std::isfinite(azimuth))
+    radar.first.push_back({time, azimuth});
+}
+
+}  // namespace
+
 Contents contentsOf(const Recording& recording, const DataClock& clock) {
   Contents contents;
   const auto note = [&](double time) {
@@ -151,11 +161,15 @@ Contents contentsOf(const Recording& recording, const DataClock& clock) {
   };
   RecordStream::Events events;
   events.report = [&](const TargetReport& report, double time) {
-    ++contents.radars[*report.source].reports;
+    RadarContents& radar = contents.radars[*report.source];
+    ++radar.reports;
+    if (report.range > 0.0 && !report.test_target && report.time_from == TimeFrom::kReport)
+      noteFirst(radar, time, report.azimuth);
     note(time);
   };
   events.message = [&](const ServiceMessage& message, double time) {
     RadarContents& radar = contents.radars[*message.source];
+    if (message.type == kSectorCrossing) noteFirst(radar, time, message.sector_azimuth);
     if (message.type == kNorthMarker || message.type == kSectorCrossing) ++radar.marks;
     if (!radar.position) radar.position = message.position;
     note(time);

@@ -102,7 +102,8 @@ void SectorCutter::advance(double feed_time) {
   if (!newest_) return;
   followBreak();
   const double fixed = running_ ? enter_time_ : -std::numeric_limits<double>::infinity();
-  if (!beam_.learn(*newest_, fixed)) return;
+  if (!beam_.learn(*newest_, fixed)) return sayThatUnknown();
+  said_unknown_ = false;
   // Of a radar that has sent nothing for a turn, not even a mark, nobody knows that its beam still turns.
   constexpr double kTurns = 1.25;
   const double led = std::min(feed_time - options_.latency, *newest_ + kTurns * beam_.period());
@@ -110,12 +111,24 @@ void SectorCutter::advance(double feed_time) {
   release(std::min(until, beam_.doubtfulSince().value_or(until)));
 }
 
+// A live feed has no end at which it would be said.
+void SectorCutter::sayThatUnknown() {
+  constexpr double kPatience = 60.0;  // [s]
+  constexpr std::size_t kMany = 100;
+  if (said_unknown_ || reports_.size() < kMany || *newest_ - *earliest_ < kPatience) return;
+  said_unknown_ = true;
+  events_.fault("unknown beams", std::to_string(reports_.size()) + " reports from " + seconds(*earliest_) + " to " +
+                                     seconds(*newest_) + ": " + beam_.whyUnknown());
+}
+
 // The antenna changed its speed, was restarted, or the radar's clock was set: the sectors go on along the new beam.
 void SectorCutter::followBreak() {
   if (const auto line = beam_.findBreak()) return turnAlong(*line);
   if (!beam_.isLost()) return;
   const double since = *beam_.doubtfulSince();
-  events_.fault("beams lost", "from " + seconds(since) + " on the reports do not show how the antenna turns");
+  events_.fault("beams lost", beam_.scansToAndFro()
+                                  ? "from " + seconds(since) + " on the antenna scans to and fro: that is not read"
+                                  : "from " + seconds(since) + " on the reports do not show how the antenna turns");
   release(since);
   beam_.interrupt();
   running_.reset();

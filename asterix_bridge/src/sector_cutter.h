@@ -42,7 +42,7 @@ class SectorCutter {
   struct Events {
     std::function<void(CutSector&& sector)> sector;
     /// `counter`: "late reports", "reports at impossible times", "silences", "new runs", "reports before the
-    /// beam was known", "reports of an unknown beam", "beam breaks", "beams lost".
+    /// beam was known", "reports of an unknown beam", "unknown beams", "beam breaks", "beams lost".
     std::function<void(const std::string& counter, const std::string& reason)> fault;
   };
 
@@ -64,6 +64,7 @@ class SectorCutter {
   bool isPossible(double time);
   double placed(const TargetReport& report, double time) const;
   void followBreak();
+  void sayThatUnknown();
   void turnAlong(const tws::SteadyBeam& line);
   void placeAll();
   void beginAnew();
@@ -83,7 +84,8 @@ class SectorCutter {
   double followed_ = 0.0;                // the beam was drawn to what is known of it [s]
   std::int64_t next_ = 0;                // behind the last one closed
   double enter_time_ = 0.0;
-  int impossible_ = 0;  // in a row
+  int impossible_ = 0;         // in a row
+  bool said_unknown_ = false;  // since the beam was known last
 };
 
 }  // namespace asterix_bridge

@@ -8,6 +8,7 @@
 
 #include <tws_core/angles.h>
 #include <tws_core/sectors.h>
+#include <tws_core/units.h>
 
 namespace asterix_bridge {
 namespace {
@@ -20,7 +21,10 @@ class SectorCutterTest : public ::testing::Test {
  protected:
   SectorCutterTest()
       : cutter_({}, {[this](CutSector&& sector) { sectors_.push_back(std::move(sector)); },
-                     [this](const std::string& counter, const std::string&) { ++faults_[counter]; }}) {}
+                     [this](const std::string& counter, const std::string& reason) {
+                       ++faults_[counter];
+                       reason_ = reason;
+                     }}) {}
 
   static TargetReport reportAt(double time) {
     TargetReport report;
@@ -44,6 +48,7 @@ class SectorCutterTest : public ::testing::Test {
 
   std::vector<CutSector> sectors_;
   std::map<std::string, int> faults_;
+  std::string reason_;  // of the latest
   SectorCutter cutter_;
 };
 
@@ -223,6 +228,56 @@ TEST_F(SectorCutterTest, SaysThatAnAntennaTurnsCounterClockwise) {
   }
   cutter.finish();
   EXPECT_NE(reason.find("counter-clockwise, once in 4.0"), std::string::npos) << reason;
+}
+
+// A radar that scans a sector of 90 degrees in 3 s, to and fro; a report each tenth of a second, marks at each sector.
+class ToAndFro : public SectorCutterTest {
+ protected:
+  static double azimuthAt(double time) {
+    return tws::radians(300.0) + std::abs(std::remainder(time - kStart, 6.0)) / 3.0 * tws::kPi / 2.0;
+  }
+  static int sectorAt(double time) { return static_cast<int>(std::floor(azimuthAt(time) / tws::kSectorWidth)); }
+  void sweep(double from, double to, bool with_marks) {
+    for (long hundredth = std::lround(100.0 * from); hundredth < std::lround(100.0 * to); ++hundredth) {
+      const double time = static_cast<double>(hundredth) / 100.0;
+      const int sector = std::max(sectorAt(time), sectorAt(time - 0.01));
+      if (with_marks && sectorAt(time) != sectorAt(time - 0.01))
+        cutter_.mark(time, tws::wrapTwoPi(tws::kSectorWidth * sector));
+      if (hundredth % 10 == 0) {
+        TargetReport report = reportAt(time);
+        report.azimuth = tws::wrapTwoPi(azimuthAt(time));
+        cutter_.add(report, time);
+      }
+      cutter_.advance(time);
+    }
+  }
+};
+
+// If these fail, trackers get sectors that the radar never scanned, and its aircraft make tracks that are none.
+TEST_F(ToAndFro, IsLeftOutAndNamed) {
+  sweep(kStart, kStart + 300.0, false);
+  EXPECT_EQ(faults_["unknown beams"], 1) << "live, nothing else says why there is no sector";
+  cutter_.finish();
+  EXPECT_TRUE(sectors_.empty());
+  EXPECT_NE(reason_.find("scans to and fro, at about 30 deg/s"), std::string::npos) << reason_;
+}
+
+TEST_F(ToAndFro, IsLeftOutWithMarksToo) {
+  sweep(kStart, kStart + 300.0, true);
+  cutter_.finish();
+  EXPECT_LE(sectors_.size(), 20U) << "the first sweep looks like any other antenna's";
+  EXPECT_NE(reason_.find("scans to and fro, at about 30 deg/s"), std::string::npos) << reason_;
+}
+
+// Some radars do both.
+TEST_F(ToAndFro, ARadarThatTurnsAgainIsReadAgain) {
+  play(kStart, kStart + 60.0);
+  sweep(kStart + 60.0, kStart + 180.0, false);
+  const std::size_t until_then = sectors_.size();
+  EXPECT_LE(until_then, 17U * 64U);
+  EXPECT_EQ(faults_["beams lost"], 1);
+  play(kStart + 180.0, kStart + 260.0);
+  EXPECT_GT(sectors_.size(), until_then + 10U * 64U);
 }
 
 TEST_F(SectorCutterTest, GoesOnWithoutPlotsFromMarksAlone) {
