@@ -50,10 +50,17 @@ void SecondaryTracker::add(SecondarySector sector) {
     return;
   }
   stray_.reset();
-  fillGap(sector);
+  if (gap == 1) sector_duration_ = sector.leave_time - stored_.back().sector.leave_time;
+  if (!leapsTo(sector)) fillGap(sector);
   counts_.plots += sector.plots.size();
   std::sort(sector.plots.begin(), sector.plots.end(), comesBefore);
   store(std::move(sector));
+}
+
+bool SecondaryTracker::leapsTo(const SecondarySector& next) const {
+  const SecondarySector& last = stored_.back().sector;
+  const auto numbers = static_cast<double>(next.running - last.running);
+  return numbers * sector_duration_ - (next.leave_time - last.leave_time) > kHalfTurn * sector_duration_;
 }
 
 void SecondaryTracker::fillGap(const SecondarySector& next) {
@@ -80,7 +87,9 @@ void SecondaryTracker::dropAll() {
 }
 
 void SecondaryTracker::store(SecondarySector sector) {
-  const double enter_time = stored_.back().sector.leave_time;
+  const Stored& last = stored_.back();
+  const bool follows = sector.running == last.sector.running + 1;
+  const double enter_time = follows ? last.sector.leave_time : sector.leave_time - sector_duration_;
   std::vector<bool> used(sector.plots.size(), false);
   stored_.push_back({std::move(sector), enter_time, std::move(used)});
   // Δ₁ sectors behind the one that has just been left.

@@ -50,7 +50,9 @@ class SecondaryTracker {
   SecondaryTracker(const SecondaryParams& params, OnReport on_report);
 
   /// The next sector of the radar. A gap of up to eight turns is filled with empty sectors; behind a longer one, or
-  /// when the radar counts anew, the tracks are dropped and all begins with the second sector of the new count.
+  /// when the radar counts anew, the tracks are dropped and all begins with the second sector of the new count. Numbers
+  /// that the antenna cannot have passed in that time (its beam broke: another phase, its clock was set) stand for no
+  /// sectors: no track has missed a plot there.
   void add(SecondarySector sector);
 
   const std::vector<SecondaryTrack>& tracks() const { return tracks_; }
@@ -66,6 +68,7 @@ class SecondaryTracker {
   void store(SecondarySector sector);
   void begin(const SecondarySector& sector);
   void fillGap(const SecondarySector& next);
+  bool leapsTo(const SecondarySector& next) const;
   void dropAll();
   void process(std::size_t index);
   std::vector<std::size_t> tracksNear(std::int64_t running, double time, std::vector<std::size_t>& due) const;
@@ -81,6 +84,7 @@ class SecondaryTracker {
   std::vector<SecondaryTrack> tracks_;
   std::deque<Stored> stored_;          ///< The sectors from the one before the next to process to the newest.
   std::optional<std::int64_t> stray_;  ///< A running number that was out of line.
+  double sector_duration_ = 0.0;       ///< Of the latest one that followed the one before [s]; 0: none did.
   std::uint32_t last_uid_ = 0;
   SecondaryCounts counts_;
 };

@@ -185,6 +185,34 @@ TEST(SecondaryTracker, FillsAGapAndBeginsAnewBehindALongOne) {
   EXPECT_EQ(dropped, 1);
 }
 
+// If this fails, all tracks end when a radar comes back at another phase, or its clock is set.
+TEST(SecondaryTracker, KeepsItsTracksWhereTheBeamBreaks) {
+  for (const double pause : {0.0, 10.0}) {
+    std::vector<SecondarySector> sectors = kSsr.emptySectors(20);
+    for (int turn = 0; turn < 10; ++turn) kSsr.put(kSsr.plotOf(kEastbound, turn), sectors);
+    SsrListener ssr;
+    ssr.add({sectors.begin(), sectors.begin() + 10 * 64});
+    // From then on the beam is 23 sectors further than it would have been, and the count a turn.
+    const double later = pause - 23 * kSsr.sectorTime();
+    for (int turn = 10; turn < 20; ++turn) {
+      TestAircraft moved = kEastbound;
+      moved.x += later * moved.vx;
+      SecondaryPlot plot = kSsr.plotOf(moved, turn);
+      kSsr.put(plot, sectors);
+    }
+    for (std::size_t n = 10 * 64 + 23; n < sectors.size(); ++n) {
+      SecondarySector sector = sectors[n];
+      sector.running += 2 * 64;
+      sector.leave_time += later;
+      for (SecondaryPlot& plot : sector.plots) plot.time += later;
+      ssr.tracker.add(sector);
+    }
+    EXPECT_EQ(ssr.tracks().size(), 1U) << pause;
+    EXPECT_EQ(ssr.tracker.counts().lost_sectors, 0U) << pause;
+    for (const SecondaryUpdate& update : ssr.updates()) EXPECT_EQ(update.event, SecondaryEvent::kUpdated) << pause;
+  }
+}
+
 TEST(SecondaryTracker, LeavesOutASectorThatComesTwice) {
   SsrListener ssr;
   for (const auto& sector : seen({kEastbound}, 10)) {
