@@ -64,25 +64,31 @@ class AsterixFileNode::Impl {
   }
 
   std::optional<ros::Time> nextTime() const {
-    if (sectors_.empty() || sectors_.begin()->first.first > end_ + kTail) return std::nullopt;
-    return tws_runtime::toTime(std::max(sectors_.begin()->first.first, published_));
+    const Sectors& sectors = last_of_run_.empty() ? sectors_ : last_of_run_;
+    if (sectors.empty() || sectors.begin()->first.first > end_ + kTail) return std::nullopt;
+    return tws_runtime::toTime(std::max(sectors.begin()->first.first, clock_time_));
   }
 
   void step() {
-    const auto first = sectors_.begin();
+    const bool ends_run = last_of_run_.size() == 1;
+    Sectors& sectors = last_of_run_.empty() ? sectors_ : last_of_run_;
+    const auto first = sectors.begin();
     const auto [time, radar] = first->first;
     if (time < published_)
       bus_.counter("late sectors")
           .add(outlet_.nameOf(radar) + ": its data come more than lookahead_s later than other radars'");
     published_ = std::max(published_, time);
+    clock_time_ = std::max(clock_time_, time);
     outlet_.publish(radar, first->second);
-    sectors_.erase(first);
+    sectors.erase(first);
+    if (ends_run) published_ = 0.0;
     fill();
   }
 
   ros::Time endTime() const { return tws_runtime::toTime(end_); }
 
  private:
+  using Sectors = std::multimap<std::pair<double, SourceId>, CutSector>;  // by the time at which they close
   static constexpr std::size_t kMostProblems = 8;
   static constexpr double kTail = 1.0;  // the sector of the last report closes after it [s]
 
@@ -112,6 +118,9 @@ class AsterixFileNode::Impl {
     RadarFeed::Events events;
     events.sector = [this](SourceId radar, CutSector&& sector) {
       const double time = sector.leave_time;
+      const auto [latest, is_new] = latest_.try_emplace(radar, time);
+      if (!is_new && time < latest->second) endRun(radar, time);
+      latest->second = time;
       sectors_.emplace(std::pair(time, radar), std::move(sector));
     };
     events.position = [](SourceId, const tws::Geodetic&) {};
@@ -125,6 +134,19 @@ class AsterixFileNode::Impl {
     if (problems_.size() < kMostProblems) problems_.try_emplace(counter, reason);
   }
 
+  /// The radar begins anew at an earlier time, as of a file that repeats itself: what waits of its old run, and of the
+  /// others', goes out before.
+  void endRun(SourceId radar, double begins) {
+    constexpr double kSurely = 10.0;  // [s]
+    for (auto sector = sectors_.begin(); sector != sectors_.end();) {
+      const auto next = std::next(sector);
+      const auto [time, of] = sector->first;
+      const bool is_own = !(of < radar || radar < of);
+      if (is_own || time > begins + kSurely) last_of_run_.insert(sectors_.extract(sector));
+      sector = next;
+    }
+  }
+
   /// The first of each kind, for a file of which nothing comes out.
   std::string problems() const {
     std::string all;
@@ -134,7 +156,8 @@ class AsterixFileNode::Impl {
 
   /// Reads on until it is sure that no radar has an earlier sector to come.
   void fill() {
-    while (blocks_ && (sectors_.empty() || feed_.now() < sectors_.begin()->first.first + params_.lookahead)) {
+    while (blocks_ && last_of_run_.empty() &&
+           (sectors_.empty() || feed_.now() < sectors_.begin()->first.first + params_.lookahead)) {
       if (const auto step = blocks_->next()) {
         feed_.add(*step, params_.file);
       } else {
@@ -151,11 +174,14 @@ class AsterixFileNode::Impl {
   const Contents contents_;
   RadarOutlet outlet_;
   const std::vector<SourceId> radars_;
-  std::multimap<std::pair<double, SourceId>, CutSector> sectors_;  // by the time at which they close
+  Sectors sectors_;                    // that wait
+  Sectors last_of_run_;                // those before them
+  std::map<SourceId, double> latest_;  // of the sectors that were cut [s]
   RadarFeed feed_;
   std::unique_ptr<BlockFinder> blocks_;
   std::map<std::string, std::string> problems_;  // counter, first reason
-  double published_ = 0.0;                       // the time of the latest sector that went out
+  double published_ = 0.0;                       // the time of the latest sector of this run that went out,
+  double clock_time_ = 0.0;                      // of all
   double end_ = 0.0;
 };
 

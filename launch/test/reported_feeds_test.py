@@ -63,6 +63,7 @@ REFUSED = {
 
 
 def offline(name):
+    """FILES / path is the path where it is absolute."""
     with tempfile.TemporaryDirectory() as folder:
         return subprocess.run([OFFLINE, str(FILES / name), "--out", folder], stdout=subprocess.PIPE, stderr=subprocess.PIPE,
                               text=True, timeout=300)
@@ -80,6 +81,18 @@ class ReportedFeeds(unittest.TestCase):
                 self.assertEqual(firmed, firm)
                 self.assertLessEqual(started, most)
                 self.assertEqual(bool(re.search(r"^asterix +beam breaks +1\b", done.stdout, re.M)), name in BREAKS)
+
+    # If this fails, the second time of a file that is joined to itself is mixed with what was left of the first.
+    def test_a_file_that_repeats_itself_begins_anew(self):
+        with tempfile.TemporaryDirectory() as folder:
+            twice = pathlib.Path(folder, "twice.ast")
+            twice.write_bytes(2 * (FILES / "base.ast").read_bytes())
+            done = offline(twice)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        counts = {match[1]: int(match[2]) for match in re.finditer(r"^(\w+ +[a-z ]+?) {2,}(\d+)", done.stdout, re.M)}
+        self.assertGreater(sum(count for name, count in counts.items() if re.match(r"adit +detections", name)), 1070)
+        self.assertNotRegex(done.stdout, "late sectors|duplicate messages|stray sector marks")
+        self.assertEqual(len(re.findall(r"new runs +1 !", done.stdout)), 5, done.stdout)
 
     def test_what_cannot_be_read_is_refused_in_one_line(self):
         for name, words in REFUSED.items():
