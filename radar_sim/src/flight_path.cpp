@@ -4,12 +4,16 @@
 #include <cmath>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include <tws_core/angles.h>
 #include <tws_core/geometry.h>
 
 namespace radar_sim {
 namespace {
+
+// Beyond it the map's plane loses the earth: no height can be told at a distance of the earth's radius.
+constexpr double kEdgeOfTheMap = 5.0e6;  // [m]
 
 Eigen::Vector2d direction(double course) { return {std::sin(course), std::cos(course)}; }
 
@@ -62,15 +66,38 @@ Leg straightTo(const PathStart& from, const Waypoint& to) {
 }  // namespace
 
 FlightPath::FlightPath(const PathStart& start, const std::vector<Leg>& legs, double origin_altitude, double end)
-    : Trajectory({TimeSpan{start.time, end}}), origin_altitude_(origin_altitude) {
+    : FlightPath(chain(start, legs), origin_altitude, end) {}
+
+FlightPath::FlightPath(Segments segments, double origin_altitude, double end)
+    : Trajectory({TimeSpan{segments.front().start.time,
+                           std::min(end, leavesForGood(segments.back().start, {0.0, 0.0}, kEdgeOfTheMap))}}),
+      segments_(std::move(segments)),
+      origin_altitude_(origin_altitude) {}
+
+FlightPath::Segments FlightPath::chain(const PathStart& start, const std::vector<Leg>& legs) {
+  Segments segments;
   PathStart now = start;
   for (const Leg& leg : legs) {
-    segments_.push_back({now, leg});
+    segments.push_back({now, leg});
     now = advance(now, leg, leg.duration);
     if (now.speed < 0.0)
-      throw std::invalid_argument("leg " + std::to_string(segments_.size()) + " makes the speed negative");
+      throw std::invalid_argument("leg " + std::to_string(segments.size()) + " makes the speed negative");
   }
-  segments_.push_back({now, Leg{}});
+  segments.push_back({now, Leg{}});
+  return segments;
+}
+
+double FlightPath::leavesForGood(const Eigen::Vector2d& centre, double radius) const {
+  return leavesForGood(segments_.back().start, centre, radius);
+}
+
+double FlightPath::leavesForGood(const PathStart& straight, const Eigen::Vector2d& centre, double radius) {
+  if (straight.speed <= 0.0) return std::numeric_limits<double>::infinity();
+  const Eigen::Vector2d from = straight.position - centre;
+  const double along = from.dot(direction(straight.course));
+  const double passes_inside = radius * radius - from.squaredNorm() + along * along;
+  if (passes_inside <= 0.0) return straight.time;
+  return straight.time + std::max(0.0, std::sqrt(passes_inside) - along) / straight.speed;
 }
 
 TargetState FlightPath::at(double time) const {

@@ -30,7 +30,7 @@ struct Waypoint {
   double speed;              ///< Over ground [m/s], > 0.
 };
 
-/// A chain of legs in closed form; after the last one it goes on straight and level.
+/// A chain of legs in closed form; after the last one it goes on straight and level, up to 5000 km from the origin.
 class FlightPath : public Trajectory {
  public:
   /// `origin_altitude`: of the map's origin above the sea [m]. `end`: the target is gone from then on [s of data time].
@@ -40,12 +40,22 @@ class FlightPath : public Trajectory {
 
   TargetState at(double time) const override;
 
+  /// From when on [s of data time] it stays farther than `radius` [m] from `centre` (east, north), after its last leg;
+  /// infinity: it never does.
+  double leavesForGood(const Eigen::Vector2d& centre, double radius) const;
+
  private:
   struct Segment {
     PathStart start;
     Leg leg;
   };
-  std::vector<Segment> segments_;
+  using Segments = std::vector<Segment>;
+
+  static Segments chain(const PathStart& start, const std::vector<Leg>& legs);
+  static double leavesForGood(const PathStart& straight, const Eigen::Vector2d& centre, double radius);
+  FlightPath(Segments segments, double origin_altitude, double end);
+
+  Segments segments_;
   double origin_altitude_;
 };
 

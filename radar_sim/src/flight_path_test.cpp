@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 #include <tws_core/angles.h>
 #include <tws_core/units.h>
@@ -82,6 +83,28 @@ TEST(FlightPath, ExistsFromItsStartToItsEnd) {
 
 TEST(FlightPath, RefusesToFlyBackwards) {
   EXPECT_THROW(FlightPath(northbound(100.0), {{30.0, 0.0, -5.0, 0.0}}, 0.0), std::invalid_argument);
+}
+
+// If this fails, a target that flies straight on for a day has no height any more, and no truth message is usable.
+TEST(FlightPath, EndsFarOutWhereTheMapsPlaneLosesTheEarth) {
+  const FlightPath path(northbound(300.0), {}, 0.0);
+  const double end = path.spans().front().end;
+  EXPECT_NEAR(path.at(end).position.head<2>().norm(), 5.0e6, 1e-3);
+  EXPECT_TRUE(path.at(end).position.allFinite());
+}
+
+TEST(FlightPath, LeavesADiskForGoodWhereItsLastStraightLegDoes) {
+  PathStart start;
+  start.time = 100.0;
+  start.position = {-50e3, 30e3};
+  start.course = tws::kPi / 2.0;
+  start.speed = 100.0;
+  const FlightPath path(start, {{10.0, 0.0, 0.0, 0.0}}, 0.0);
+  EXPECT_DOUBLE_EQ(path.leavesForGood({0.0, 0.0}, 50e3), 100.0 + (50e3 + 40e3) / 100.0);
+  EXPECT_DOUBLE_EQ(path.leavesForGood({0.0, 0.0}, 20e3), 110.0);      // It passes by.
+  EXPECT_DOUBLE_EQ(path.leavesForGood({-100e3, 30e3}, 20e3), 110.0);  // It has left.
+  start.speed = 0.0;
+  EXPECT_EQ(FlightPath(start, {}, 0.0).leavesForGood({0.0, 0.0}, 60e3), std::numeric_limits<double>::infinity());
 }
 
 TEST(Waypoints, AreEachFlownOver) {

@@ -61,7 +61,8 @@ struct Life {
   double end;
 };
 
-/// When the path leaves the group's disk, to a second; a negative time when it enters the keep-out circle before that.
+/// When the path leaves the group's disk, to a second while it manoeuvres; a negative time when it enters the keep-out
+/// circle before that.
 double leavingTime(const RandomGroup& group, const FlightPath& path, double start) {
   const bool matters = group.rebirth || group.keep_out > 0.0;
   for (double time = start; matters && time < start + kPathLength; time += 1.0) {
@@ -69,7 +70,8 @@ double leavingTime(const RandomGroup& group, const FlightPath& path, double star
     if (distance < group.keep_out) return -1.0;
     if (group.rebirth && distance > group.range.greatest + 1.0) return time;
   }
-  return std::numeric_limits<double>::infinity();
+  return group.rebirth ? path.leavesForGood(group.centre, group.range.greatest + 1.0)
+                       : std::numeric_limits<double>::infinity();
 }
 
 Life drawLife(const RandomGroup& group, bool first, double origin_altitude, double time, RandomStream& random) {

@@ -33,6 +33,17 @@ TEST(RandomGroup, KeepsItsNumberAliveByRebirth) {
   }
 }
 
+// Slow ones circle in the disk for hours. If this fails, a run of a day loses them one by one beyond the horizon.
+TEST(RandomGroup, ReplacesAlsoThoseThatLeaveAfterManyHours) {
+  RandomGroup group = traffic(10);
+  group.speed = {10.0, 20.0};
+  group.turning_fraction = 1.0;
+  for (const Target& target : drawGroup(group, 1, 0.0, 0.0, 86400.0)) {
+    const double end = std::min(target.trajectory->spans().front().end, 86400.0);
+    EXPECT_LE(target.trajectory->at(end).position.head<2>().norm(), 100e3 + 30.0) << target.name;
+  }
+}
+
 TEST(RandomGroup, StaysWithinItsIntervals) {
   for (const Target& target : drawGroup(traffic(30), 2, 0.0, 1000.0, 1600.0)) {
     const TimeSpan span = target.trajectory->spans().front();
