@@ -89,6 +89,10 @@ void RunSummary::beAlive(const std::string& radar, ros::Time stamp) {
 void RunSummary::add(const tws_msgs::Tracks& message) {
   last_tracked_ = std::max(last_tracked_, message.header.stamp);
   Tracker& tracker = trackers_[message.tracker];
+  constexpr double kFarBack = 10.0;  // [s]
+  const bool new_run = secondsBetween(message.header.stamp, tracker.newest) > kFarBack;
+  if (new_run) tracker.census.beginNewRun();
+  tracker.newest = new_run ? message.header.stamp : std::max(tracker.newest, message.header.stamp);
   tracker.processed[message.radar] = message.header.stamp;
   for (const Track& track : message.tracks) tracker.census.add(track.uid, track.state);
 }

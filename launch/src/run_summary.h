@@ -69,6 +69,7 @@ class RunSummary {
   struct Tracker {
     TrackCensus census;
     std::map<std::string, ros::Time> processed;  ///< The last sector, or the like, of each radar.
+    ros::Time newest;                            ///< Of this run.
     std::size_t clutter_points = 0;
   };
   struct Correlator {

@@ -154,6 +154,17 @@ TEST(RunSummary, CountsEachTrackByItsLatestUpdate) {
   EXPECT_EQ(row(printed(summary), "adit"), (std::vector<double>{4, 2, 1, 1, 1, 1, 7})) << printed(summary);
 }
 
+// If this fails, of a recording that repeats itself the tracks of one round are counted.
+TEST(RunSummary, CountsTheTracksOfEachRun) {
+  RunSummary summary;
+  for (const double time : {100.0, 110.0, 20.0, 30.0}) {
+    tws_msgs::Tracks message = tracks({{1, Track::FIRM}, {2, Track::FIRM}});
+    message.header.stamp = ros::Time(time);
+    summary.add(message);
+  }
+  EXPECT_EQ(row(printed(summary), "adit"), (std::vector<double>{4, 4, 2, 2, 0, 0, 0})) << printed(summary);
+}
+
 TEST(RunSummary, ShowsOnlyCountersThatCounted) {
   const std::string table = printed(RunSummary(), {{"adit", "late sectors", 3, true}, {"adit", "gaps", 0, false}});
   EXPECT_NE(table.find("late sectors"), std::string::npos) << table;

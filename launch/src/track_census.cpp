@@ -21,6 +21,11 @@ void TrackCensus::add(std::uint32_t uid, std::uint8_t state) {
   ++ever_firm_;
 }
 
+void TrackCensus::beginNewRun() {
+  ended_ += living_.size();
+  living_.clear();
+}
+
 std::size_t TrackCensus::count(std::uint8_t state) const {
   return static_cast<std::size_t>(
       std::count_if(living_.begin(), living_.end(), [&](const auto& track) { return track.second.state == state; }));

@@ -11,6 +11,8 @@ namespace tws_launch {
 class TrackCensus {
  public:
   void add(std::uint32_t uid, std::uint8_t state);
+  /// The tracker begins anew, and its numbers too: all that lived have ended.
+  void beginNewRun();
 
   std::size_t begun() const { return ended_ + living_.size(); }
   std::size_t everFirm() const { return ever_firm_; }
