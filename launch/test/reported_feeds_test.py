@@ -93,6 +93,7 @@ class ReportedFeeds(unittest.TestCase):
         self.assertGreater(sum(count for name, count in counts.items() if re.match(r"adit +detections", name)), 1070)
         self.assertNotRegex(done.stdout, "late sectors|duplicate messages|stray sector marks")
         self.assertEqual(len(re.findall(r"new runs +1 !", done.stdout)), 5, done.stdout)
+        self.assertRegex(done.stdout, r"(?m)^adit +2[67] +24 ")
 
     def test_what_cannot_be_read_is_refused_in_one_line(self):
         for name, words in REFUSED.items():
