@@ -141,9 +141,9 @@ void Beam::watch() {
 }
 
 std::optional<tws::SteadyBeam> Beam::findBreak() {
-  if (!line_ || !break_.since() || scansToAndFro()) return std::nullopt;
+  if (!line_ || !break_.since()) return std::nullopt;
   const auto found = break_.find(*latest_, nominal_);
-  if (found && isPeriod(tws::kTwoPi / found->rate)) return found;
+  if (found && isPeriod(tws::kTwoPi / found->rate) && !scansToAndFro()) return found;
   return std::nullopt;
 }
 
@@ -169,7 +169,7 @@ bool Beam::isLost() const {
   const auto since = break_.since();
   if (!since) return false;
   const double ago = std::abs(points_.back().time - *since);
-  return scansToAndFro() || (break_.reports().size() >= kMany && ago > std::max(kLong, kTurns * *period_));
+  return (break_.reports().size() >= kMany && ago > std::max(kLong, kTurns * *period_)) || scansToAndFro();
 }
 
 std::string Beam::whyUnknown() const {

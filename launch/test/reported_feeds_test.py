@@ -6,6 +6,7 @@ Needs the folder that TWS_SHARED names, else it is skipped. Its README says what
 import os
 import pathlib
 import re
+import struct
 import subprocess
 import sys
 import tempfile
@@ -67,6 +68,38 @@ def offline(name):
     with tempfile.TemporaryDirectory() as folder:
         return subprocess.run([OFFLINE, str(FILES / name), "--out", folder], stdout=subprocess.PIPE, stderr=subprocess.PIPE,
                               text=True, timeout=300)
+
+
+def sector_scan(with_marks):
+    """The bytes of a radar that scans 270 degrees to and fro in 4.5 s each: CAT048 plots of five targets, CAT034 sector marks."""
+    def record(category, seconds, kind, rest):
+        content = b"\xF0\x01\x01" + round((36000 + seconds) * 128).to_bytes(3, "big") + kind + rest
+        return seconds, struct.pack(">BH", category, len(content) + 3) + content
+
+    def mark(seconds, sector):  # source, type and time stand in another order than in CAT048
+        content = b"\xF0\x01\x01\x02" + round((36000 + seconds) * 128).to_bytes(3, "big") + bytes([4 * sector])
+        return seconds, struct.pack(">BH", 34, len(content) + 3) + content
+
+    blocks = []
+    for sweep in range(60):
+        def met(azimuth):
+            return 4.5 * (sweep + (azimuth if sweep % 2 == 0 else 270 - azimuth) / 270 % 1.0)
+        blocks += [record(48, met(azimuth), b"\x20", struct.pack(">HH", 6400, azimuth * 65536 // 360)) for azimuth in range(13, 260, 50)]
+        if with_marks:
+            blocks += [mark(met(sector * 5.625), sector) for sector in range(1, 48)]
+    return b"".join(block for _, block in sorted(blocks))
+
+
+class SectorScan(unittest.TestCase):
+    # If this fails, tracks are pretended of an antenna that was not understood.
+    def test_an_antenna_that_scans_to_and_fro_is_refused(self):
+        for with_marks in (False, True):
+            with tempfile.TemporaryDirectory() as folder, self.subTest(with_marks=with_marks):
+                path = pathlib.Path(folder, "scan.ast")
+                path.write_bytes(sector_scan(with_marks))
+                done = offline(path)
+                self.assertEqual(done.returncode, 1, done.stdout)
+                self.assertIn("the antenna scans to and fro, at about 60 deg/s: that is not read", done.stderr.splitlines()[-1])
 
 
 @unittest.skipUnless(os.environ.get("TWS_SHARED"), "TWS_SHARED is not set")
