@@ -5,13 +5,11 @@
 
 #include <tws_core/angles.h>
 
+#include "physics.h"
 #include "propagation.h"
 
 namespace radar_sim {
 namespace {
-
-constexpr double kSpeedOfLight = 299792458.0;           // [m/s]
-constexpr double kNoiseDensity = 1.380649e-23 * 290.0;  // Boltzmann's constant times the standard temperature [W/Hz]
 
 double square(double x) { return x * x; }
 

@@ -10,12 +10,6 @@ namespace {
 
 using tws::kRadiansPerDegree;
 
-void decibels(ParameterReader& reader, const std::string& key, double& ratio, double least, double greatest) {
-  double read = 10.0 * std::log10(ratio);
-  reader.number(key, read, least, greatest);
-  if (reader.has(key)) ratio = std::pow(10.0, read / 10.0);
-}
-
 ElevationBeam readBeam(ParameterReader& reader) {
   ElevationBeam beam;
   reader.require("elevation_deg");
@@ -45,11 +39,11 @@ void readAntenna(ParameterReader& reader, RadarParams& radar) {
 
 void readRadarEquation(ParameterReader& reader, RadarParams& radar) {
   reader.number("peak_power_w", radar.peak_power, 1e-3, 1e9);
-  decibels(reader, "antenna_gain_db", radar.antenna_gain, 0.0, 70.0);
+  readDecibels(reader, "antenna_gain_db", radar.antenna_gain, 0.0, 70.0);
   reader.number("wavelength_m", radar.wavelength, 0.001, 10.0);
   reader.number("pulse_width_s", radar.pulse_width, 1e-9, 1e-3);
-  decibels(reader, "noise_figure_db", radar.noise_figure, 0.0, 30.0);
-  decibels(reader, "losses_db", radar.losses, 0.0, 60.0);
+  readDecibels(reader, "noise_figure_db", radar.noise_figure, 0.0, 30.0);
+  readDecibels(reader, "losses_db", radar.losses, 0.0, 60.0);
   reader.number("pulses", radar.pulses, 1.0, 1e6);
   reader.number("integration_efficiency", radar.integration_efficiency, 0.001, 1.0);
   reader.number("false_alarm_probability", radar.false_alarm_probability, 1e-15, 0.001);

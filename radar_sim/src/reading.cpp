@@ -24,6 +24,12 @@ Fluctuation fluctuationOf(long swerling) {
 
 }  // namespace
 
+void readDecibels(ParameterReader& reader, const std::string& key, double& ratio, double least, double greatest) {
+  double decibels = 10.0 * std::log10(ratio);
+  reader.number(key, decibels, least, greatest);
+  if (reader.has(key)) ratio = std::pow(10.0, decibels / 10.0);
+}
+
 void readInterval(ParameterReader& reader, const std::string& key, Interval& value, double unit, double least,
                   double greatest) {
   std::vector<double> read;

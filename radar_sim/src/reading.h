@@ -27,6 +27,9 @@ using tws_runtime::scaledNumber;
 constexpr double kFarthest = 1e7;  ///< Bounds of positions [m].
 constexpr double kLongest = 1e6;   ///< Bounds of times [s].
 
+/// A key in decibels for a power ratio; the bounds are in decibels.
+void readDecibels(ParameterReader& reader, const std::string& key, double& ratio, double least, double greatest);
+
 /// Two numbers, the smaller one first.
 void readInterval(ParameterReader& reader, const std::string& key, Interval& value, double unit, double least,
                   double greatest);

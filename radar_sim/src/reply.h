@@ -3,16 +3,16 @@
 #include <optional>
 #include <vector>
 
+#include "physics.h"
 #include "transponder.h"
 
 namespace radar_sim {
 
 /// The reply in space: ICAO Annex 10, volume IV, 3.1.1.6. Between two framing pulses 20.3 µs apart lie thirteen
 /// positions, every 1.45 µs: C1 A1 C2 A2 C4 A4 X B1 D1 B2 D2 B4 D4; X is never used. A pulse is 0.45 µs wide.
-constexpr double kSpeedOfLight = 299792458.0;  // [m/s]
-constexpr double kFramingInterval = 20.3e-6;   // [s]
-constexpr double kPulseInterval = 1.45e-6;     // [s]
-constexpr double kPulseWidth = 0.45e-6;        // [s]
+constexpr double kFramingInterval = 20.3e-6;  // [s]
+constexpr double kPulseInterval = 1.45e-6;    // [s]
+constexpr double kPulseWidth = 0.45e-6;       // [s]
 
 /// Two replies to one interrogation overlap when the slant ranges differ by less than half a reply's length in space:
 /// 3.04 km, 1.64 NM. Their codes may then garble each other.
