@@ -20,6 +20,7 @@ class Antenna {
   double angleAt(double time) const { return beam_.azimuthAt(time); }
   /// In [0, 2π).
   double azimuthAt(double time) const;
+  double timeAt(double unwrapped) const { return beam_.timeAt(unwrapped); }
   double rate() const { return beam_.rate; }  ///< [rad/s]
 
   std::int64_t firstSector() const { return first_sector_; }

@@ -70,6 +70,7 @@ struct RadarParams {
   // False alarms.
   double false_alarms_per_scan = 20.0;  ///< Poisson mean.
   bool false_alarms_by_area = true;     ///< Uniform over area; false: uniform over range cells.
+  double clutter_suppression = 1.0;     ///< Power ratio beside what each kind of clutter says, see ClutterSpec.
 
   std::optional<ElevationSearchParams> elevation_search;  ///< Nothing: it cannot.
 };

@@ -62,6 +62,7 @@ void readMeasurement(ParameterReader& reader, RadarParams& radar) {
   // A tick must be shorter than the time in one sector, or plots could not lie within theirs.
   reader.number("time_lsb_s", radar.time_lsb, 0.0, radar.rotation_period / 64.0);
   reader.number("false_alarms_per_scan", radar.false_alarms_per_scan, 0.0, 1e6);
+  readDecibels(reader, "clutter_suppression_db", radar.clutter_suppression, 0.0, 100.0);
   std::string by = radar.false_alarms_by_area ? "area" : "cell";
   reader.choice("false_alarms_by", by, {"area", "cell"});
   radar.false_alarms_by_area = by == "area";

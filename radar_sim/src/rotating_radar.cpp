@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <random>
 
 #include <tws_core/angles.h>
@@ -42,6 +43,7 @@ RotatingRadar::RotatingRadar(RadarParams params, const Eigen::Isometry3d& map_to
           mast_.antenna(), targets,
           [this](std::size_t target, double time) { return polarOf(targets_[target], time).azimuth; }, start_time),
       elevation_searches_(params_),
+      clutter_(mast_.antenna(), params_.azimuth_beamwidth, start_time),
       next_false_alarm_sector_(mast_.nextSector()) {
   for (const Target& target : targets) {
     target_streams_.push_back(RandomStream::hash(params_.name + "/" + target.name));
@@ -128,6 +130,17 @@ std::size_t RotatingRadar::setElevationSearches(const std::vector<ElevationOrder
   return elevation_searches_.set(orders, static_cast<double>(north) * tws::kSectorWidth);
 }
 
+void RotatingRadar::addClutter(const std::shared_ptr<const ClutterSpec>& clutter) {
+  clutter_.add(clutter, clutter->seenBy({params_, map_to_site_, seed_}));
+}
+
+void RotatingRadar::raiseClutter(double until) {
+  std::vector<Echo> echoes;
+  clutter_.raise(until, echoes);
+  const auto isSeen = [this](const Echo& echo) { return isInstrumented(echo.range) && !isBlindAt(echo.time); };
+  std::copy_if(echoes.begin(), echoes.end(), std::back_inserter(pending_), isSeen);
+}
+
 void RotatingRadar::raiseFalseAlarms(double until) {
   for (; antenna().entryTime(next_false_alarm_sector_) < until; ++next_false_alarm_sector_) {
     drawFalseAlarms(next_false_alarm_sector_, params_.false_alarms_per_scan, nullptr, "/false alarms");
@@ -166,6 +179,7 @@ std::vector<Echo> RotatingRadar::takeEchoes(double until) {
   const double complete = until + params_.azimuth_beamwidth / antenna().rate();
   illuminateTargets(complete);
   raiseFalseAlarms(complete);
+  raiseClutter(complete);
   const auto isEarlier = [](const Echo& a, const Echo& b) { return a.time < b.time; };
   std::stable_sort(pending_.begin(), pending_.end(), isEarlier);
   const auto fresh = resolve(pending_, until, rangeCell(params_), params_.azimuth_beamwidth);

@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include <tws_core/geometry.h>
@@ -9,6 +10,7 @@
 #include <tws_core/sectors.h>
 
 #include "beam_crossings.h"
+#include "clutter/spoke_feed.h"
 #include "elevation_searches.h"
 #include "fault.h"
 #include "mast.h"
@@ -21,8 +23,8 @@ namespace radar_sim {
 /// One rotating radar at work, sector by sector.
 ///
 /// All random numbers come from streams keyed by the seed, the radar's name and the target's name, or the sector for
-/// false alarms: neither another radar nor another target changes them (targets closer than the resolution cell do
-/// merge).
+/// false alarms, or the clutter's name: neither another radar nor another target changes them (targets closer than the
+/// resolution cell do merge).
 class RotatingRadar {
  public:
   /// `map_to_site` takes map coordinates to the site's east, north, up. `targets` must outlive the radar. `faults` are
@@ -47,6 +49,9 @@ class RotatingRadar {
   /// as it can make. Returns how many it takes.
   std::size_t setElevationSearches(const std::vector<ElevationOrder>& orders);
 
+  /// Lets the radar see that clutter, before the first sector.
+  void addClutter(const std::shared_ptr<const ClutterSpec>& clutter);
+
   /// During an outage there is neither mark nor detection; the antenna still turns.
   bool isSilentAt(double time) const { return isFaulty(faults_, FaultKind::kOutage, time); }
   /// Slant range, azimuth and elevation of a target at the site.
@@ -68,6 +73,7 @@ class RotatingRadar {
   /// What the elevation scans that pass over the target see of it; nothing: none do, or they do not detect it.
   std::optional<ElevationLook> lookInElevation(std::size_t target, double time, const tws::Polar& polar) const;
   void raiseFalseAlarms(double until);
+  void raiseClutter(double until);
   void drawFalseAlarms(std::int64_t sector, double per_scan, const Fault* burst, const std::string& stream);
   std::vector<Echo> takeEchoes(double until);
   tws::Plot measure(const Echo& echo, const SectorSpan& sector) const;
@@ -82,6 +88,7 @@ class RotatingRadar {
   std::vector<double> stated_snr_;  ///< Of targets with a stated detection probability; else NaN.
   BeamCrossings crossings_;
   ElevationSearches elevation_searches_;
+  SpokeFeed clutter_;
   std::int64_t next_false_alarm_sector_;
   std::vector<Echo> pending_;   ///< Detected, their resolution cell still open; in order of time.
   std::vector<Echo> resolved_;  ///< Not yet in a closed sector.

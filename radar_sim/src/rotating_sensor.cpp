@@ -19,7 +19,10 @@ std::unique_ptr<Sensor> RotatingSpec::make(const Scene& scene) const {
 }
 
 RotatingSensor::RotatingSensor(const RotatingSpec& spec, const Scene& scene)
-    : MastSensor(spec, scene), targets_(scene.targets), marks_(*this, scene) {}
+    : MastSensor(spec, scene), targets_(scene.targets), marks_(*this, scene) {
+  for (const auto& clutter : scene.scenario.clutter_fields)
+    if (clutter->isSeenBy(name())) radar().addClutter(clutter);
+}
 
 void RotatingSensor::connect(SensorPort& port) {
   detections_ = port.advertise<tws_msgs::Detections>("detections");

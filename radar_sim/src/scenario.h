@@ -17,6 +17,7 @@
 
 namespace radar_sim {
 
+struct ClutterSpec;
 struct SensorKind;
 
 struct Site {
@@ -36,6 +37,7 @@ struct Scenario {
   std::vector<Target> targets;                             ///< Those that are given one by one.
   std::vector<RandomGroup> groups;
   std::vector<Fault> faults;
+  std::vector<std::shared_ptr<const ClutterSpec>> clutter_fields;  ///< Clutter that has a place and a history.
   /// A map, tracker name → its parameters, as it stands in the file: whoever starts the trackers reads it.
   YAML::Node trackers{YAML::NodeType::Map};
 

@@ -4,6 +4,7 @@
 
 #include <tws_core/units.h>
 
+#include "clutter/clutter_kinds.h"
 #include "reading.h"
 #include "scenario.h"
 #include "sensor_kinds.h"
@@ -144,6 +145,7 @@ Scenario loadScenario(const std::string& path, const ScenarioOverrides& override
   readSites(reader, context, scenario);
   readTargets(reader, context, scenario);
   readSensors(reader, kinds, scenario);
+  readClutterFields(reader, context, scenario);
   for (ParameterReader& entry : reader.list("faults")) scenario.faults.push_back(readFault(entry, scenario));
   reader.map("trackers");  // throws when it is no map
   if (tree["trackers"] && tree["trackers"].IsMap()) scenario.trackers = tree["trackers"];

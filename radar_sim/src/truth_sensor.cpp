@@ -6,6 +6,7 @@
 #include <tws_msgs/SsrPlot.h>
 #include <tws_runtime/conversions.h>
 
+#include "clutter/clutter.h"
 #include "conversions.h"
 #include "scenario.h"
 #include "sensor_port.h"
@@ -53,7 +54,31 @@ void TruthSensor::step() {
     if (sensor->hasSightings()) truth.radars.push_back(sensor->name());
   for (std::size_t target = 0; target < scene_.targets.size(); ++target)
     if (scene_.targets[target].trajectory->existsAt(time)) truth.targets.push_back(stateOf(target, time));
+  addClutter(time, truth);
   topic_.publish(truth);
+}
+
+// Points of its outline: nothing that a tracker is asked for.
+void TruthSensor::addClutter(double time, tws_msgs::Truth& truth) const {
+  std::size_t first_id = scene_.targets.size();
+  for (const auto& clutter : scene_.scenario.clutter_fields) {
+    const auto outline = clutter->existsAt(time) ? clutter->outlineAt(time) : std::vector<Eigen::Vector2d>();
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+      tws_msgs::TruthTarget point;
+      point.id = static_cast<std::uint32_t>(first_id + i);
+      point.name = clutter->name + "/" + std::to_string(i);
+      point.kind = tws_msgs::TruthTarget::CLUTTER;
+      point.position.x = outline[i].x();
+      point.position.y = outline[i].y();
+      point.rcs = tws::Plot::kUnknown;
+      point.mode_3a = tws_msgs::SsrPlot::CODE_UNKNOWN;
+      point.slant_range.assign(truth.radars.size(), tws::Plot::kUnknown);
+      point.azimuth = point.slant_range;
+      point.detection_probability.assign(truth.radars.size(), 0.0);
+      truth.targets.push_back(std::move(point));
+    }
+    first_id += kMostOutlinePoints;
+  }
 }
 
 tws_msgs::TruthTarget TruthSensor::stateOf(std::size_t number, double time) const {

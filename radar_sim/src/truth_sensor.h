@@ -16,7 +16,7 @@ struct TruthSpec : SensorSpec {
   std::unique_ptr<Sensor> make(const Scene& scene) const override;
 };
 
-/// Every target that exists, once a period, and what the sensors would measure of it.
+/// Every target that exists, once a period, and what the sensors would measure of it; and outlines of clutter.
 class TruthSensor : public Sensor {
  public:
   TruthSensor(const TruthSpec& spec, const Scene& scene) : Sensor(spec), scene_(scene) {}
@@ -26,6 +26,7 @@ class TruthSensor : public Sensor {
   void step() override;
 
  private:
+  void addClutter(double time, tws_msgs::Truth& truth) const;
   tws_msgs::TruthTarget stateOf(std::size_t target, double time) const;
 
   Scene scene_;
