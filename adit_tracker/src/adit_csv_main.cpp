@@ -9,6 +9,7 @@
 #include <fstream>
 #include <iostream>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <utility>
 
@@ -22,6 +23,7 @@
 #include "io/plot_csv.h"
 #include "io/radar_spec.h"
 #include "io/sector_feed.h"
+#include "io/snapshot_feed.h"
 #include "io/track_csv.h"
 
 namespace adit_tracker {
@@ -67,7 +69,7 @@ AditParams baseParams(const Options& options) {
 struct Input {
   AditParams params;
   std::vector<ClutterPlace> clutter;
-  std::vector<SectorFeed> feeds;
+  std::vector<std::unique_ptr<PlotFeed>> feeds;
   bool has_elevations = false;
   double first_time = std::numeric_limits<double>::infinity();
   double last_time = -std::numeric_limits<double>::infinity();
@@ -82,6 +84,20 @@ RadarParams paramsOf(const std::string& id, const std::vector<RadarParams>& give
   return radar;
 }
 
+/// The radar's sectors; mends its plots' times where the beam shows how. Sets the period of its scans [s].
+std::unique_ptr<PlotFeed> feedOf(const RadarSpec& spec, std::vector<tws::Plot>& plots, double& period) {
+  if (const auto between = snapshotPeriod(plots)) {
+    std::fprintf(stderr, "radar %s: all plots of a scan have one time, each %g s: they are taken for snapshots\n",
+                 spec.id.c_str(), *between);
+    period = *between;
+    return std::make_unique<SnapshotFeed>(plots, period);
+  }
+  const tws::Rotation rotation = learnBeam(
+      spec, plots, [&](const std::string& finding) { std::cerr << "radar " << spec.id << ": " << finding << '\n'; });
+  period = rotation.period();
+  return std::make_unique<SectorFeed>(plots, rotation);
+}
+
 Input inputOf(const Options& options, PlotTable& table) {
   Input input;
   input.params = baseParams(options);
@@ -90,13 +106,10 @@ Input inputOf(const Options& options, PlotTable& table) {
   for (const RadarSpec& spec : radarsOf(options, table)) {
     auto& plots = table.radars[spec.id];
     if (plots.empty()) throw std::runtime_error(options.detections + ": there is no plot of radar " + spec.id);
-    const tws::Rotation rotation = learnBeam(
-        spec, plots, [&](const std::string& finding) { std::cerr << "radar " << spec.id << ": " << finding << '\n'; });
     input.params.radars.push_back(paramsOf(spec.id, given));
-    input.params.radars.back().period = rotation.period();
+    input.feeds.push_back(feedOf(spec, plots, input.params.radars.back().period));
     input.first_time = std::min(input.first_time, plots.front().time);
     input.last_time = std::max(input.last_time, plots.back().time);
-    input.feeds.emplace_back(plots, rotation);
   }
   check(input.params);
   if (!options.clutter_map.empty()) input.clutter = loadClutterFile(options.clutter_map, ClutterLimits(input.params));
@@ -114,10 +127,9 @@ class Run {
   void go() {
     adit_.manual().loadClutter(input_.clutter);
     if (epochs_ > 0.0) epoch_ = std::ceil(input_.first_time / epochs_);
-    while (SectorFeed* feed = earliest()) {
-      pictures(*feed->nextTime());
-      const auto radar = static_cast<std::size_t>(feed - input_.feeds.data());
-      addAndProcess(adit_, radar, feed->take());
+    while (const auto radar = earliest()) {
+      pictures(*input_.feeds[*radar]->nextTime());
+      addAndProcess(adit_, *radar, input_.feeds[*radar]->take());
     }
     adit_.finish();
     if (epochs_ > 0.0) pictures(input_.last_time + 1e-6);
@@ -147,10 +159,12 @@ class Run {
   }
 
  private:
-  SectorFeed* earliest() {
-    SectorFeed* best = nullptr;
-    for (SectorFeed& feed : input_.feeds) {
-      if (feed.nextTime() && (best == nullptr || *feed.nextTime() < *best->nextTime())) best = &feed;
+  /// The radar whose sector closes first; nothing: there are no more.
+  std::optional<std::size_t> earliest() const {
+    std::optional<std::size_t> best;
+    for (std::size_t i = 0; i < input_.feeds.size(); ++i) {
+      const auto time = input_.feeds[i]->nextTime();
+      if (time && (!best || *time < *input_.feeds[*best]->nextTime())) best = i;
     }
     return best;
   }

@@ -256,6 +256,22 @@ class AditCsv(unittest.TestCase):
         self.assertGreater(last, 70)
         self.assertEqual(until, [row for row in whole if float(row[0]) <= last])
 
+    # Other trackers' files have all plots of a scan at one time. If this fails, nothing is tracked and nobody is told.
+    def test_snapshots_are_tracked_as_such(self):
+        rows = []
+        for scan in range(1, 21):
+            for target in range(6):
+                x, y = 20e3 + 180 * 6 * scan * math.sin(target), 30e3 * (target - 2.5) + 180 * 6 * scan * math.cos(target)
+                rows.append(f"{6 * scan},a,{scan},{math.hypot(x, y):.1f},{math.degrees(math.atan2(x, y)) % 360:.4f}")
+        for radars in ((), ("a:6:0",)):
+            pictures, said = self.track(rows, "--epochs", "6", radars=radars)
+            self.assertIn("all plots of a scan have one time, each 6 s", said)
+            last = [row for row in pictures if float(row[0]) == 120]
+            self.assertEqual(len(last), 6)
+            for target in range(6):
+                x, y = 20e3 + 180 * 120 * math.sin(target), 30e3 * (target - 2.5) + 180 * 120 * math.cos(target)
+                self.assertLess(min(math.hypot(float(row[2]) - x, float(row[3]) - y) for row in last), 150)
+
     # If this fails, files whose time is that of the day or of the epoch 1970 take hours.
     def test_epochs_begin_with_the_plots(self):
         rows, _ = self.track(plots(start=1599999984), "--epochs", "5", radars=("a:6:0", "b:8:0"))

@@ -7,18 +7,18 @@
 #include <tws_core/plot.h>
 #include <tws_core/rotation.h>
 
+#include "io/plot_feed.h"
+
 namespace adit_tracker {
 
 /// Cuts the plots of one radar into the sectors that its beam crossed: the sector marks that a file of plots lacks.
-class SectorFeed {
+class SectorFeed : public PlotFeed {
  public:
   /// Plots in order of time; at least one.
   SectorFeed(std::vector<tws::Plot> plots, tws::Rotation rotation);
 
-  /// When the next sector closes; nothing: there are no more.
-  std::optional<double> nextTime() const;
-  /// The next sector, empty ones too, up to the one with the last plot.
-  tws::RadarSector take();
+  std::optional<double> nextTime() const override;
+  tws::RadarSector take() override;
 
  private:
   double start(std::int64_t running) const;
