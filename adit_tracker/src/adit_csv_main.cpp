@@ -34,6 +34,7 @@ struct Options {
   std::vector<RadarSpec> radars;
   std::uint32_t capacity = 0;  // 0: the parameter file's
   double epochs = 0.0;
+  bool covariance = false;
   std::string clutter_map, save_clutter_map;  // files; empty: none
 };
 
@@ -71,6 +72,7 @@ struct Input {
   std::vector<ClutterPlace> clutter;
   std::vector<std::unique_ptr<PlotFeed>> feeds;
   bool has_elevations = false;
+  bool wants_covariance = false;
   double first_time = std::numeric_limits<double>::infinity();
   double last_time = -std::numeric_limits<double>::infinity();
 };
@@ -102,6 +104,7 @@ Input inputOf(const Options& options, PlotTable& table) {
   Input input;
   input.params = baseParams(options);
   input.has_elevations = table.has_elevations;
+  input.wants_covariance = options.covariance;
   const std::vector<RadarParams> given = std::exchange(input.params.radars, {});
   for (const RadarSpec& spec : radarsOf(options, table)) {
     auto& plots = table.radars[spec.id];
@@ -121,7 +124,7 @@ class Run {
   Run(double epochs, Input input, std::ostream& output)
       : epochs_(epochs),
         input_(std::move(input)),
-        csv_(output, input_.has_elevations),
+        csv_(output, input_.has_elevations, input_.wants_covariance),
         adit_(input_.params, [this](const SectorReport& r) { onSector(r); }) {}
 
   void go() {
@@ -132,7 +135,7 @@ class Run {
       addAndProcess(adit_, *radar, input_.feeds[*radar]->take());
     }
     adit_.finish();
-    if (epochs_ > 0.0) pictures(input_.last_time + 1e-6);
+    if (epochs_ > 0.0) pictures(std::numeric_limits<double>::infinity());
   }
 
   bool hasFirmTracks() const { return adit_.counts().tracks_firm > 0; }
@@ -169,11 +172,21 @@ class Run {
     return best;
   }
 
+  /// The one that ends what the plots tell: the first at or after the last plot, if it comes within a scan of it.
+  double lastEpoch() const {
+    double period = 0.0;
+    for (const RadarParams& radar : input_.params.radars) period = std::max(period, radar.period);
+    const double after = std::ceil(input_.last_time / epochs_);
+    return epochs_ * after - input_.last_time <= period ? after : after - 1.0;
+  }
+
   /// The pictures of all epochs before `time`: what closes at or after an epoch may hold plots from after it.
   void pictures(double time) {
     if (epochs_ <= 0.0) return;
+    const double last = lastEpoch();
     for (; epochs_ * epoch_ < time; ++epoch_) {
-      if (epochs_ * epoch_ <= input_.last_time) csv_.picture(adit_, epochs_ * epoch_);
+      if (epoch_ > last) return;
+      csv_.picture(adit_, epochs_ * epoch_);
     }
   }
 
@@ -232,6 +245,7 @@ std::optional<int> parse(Options& options, int argc, char** argv) {
       ->check(CLI::Range(2U, 1000001U));
   app.add_option("--epochs", options.epochs, "write the picture at each multiple of so many seconds")
       ->check(epochsProblem);
+  app.add_flag("--covariance", options.covariance, "write the covariance of position and velocity, too");
   app.add_option("--clutter-map", options.clutter_map, "clutter that is known from the start: a file as saved");
   app.add_option("--save-clutter-map", options.save_clutter_map, "write what is clutter at the end into this file");
   app.failure_message([](const CLI::App*, const CLI::Error& error) {

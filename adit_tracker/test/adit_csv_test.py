@@ -253,8 +253,16 @@ class AditCsv(unittest.TestCase):
         cut = [row for row in plots() if float(row.split(",")[0]) <= 80]
         until, _ = self.track(cut, "--epochs", "5")
         last = max(float(row[0]) for row in until)
-        self.assertGreater(last, 70)
-        self.assertEqual(until, [row for row in whole if float(row[0]) <= last])
+        self.assertEqual(last, 80)
+        self.assertEqual([row for row in until if float(row[0]) < last], [row for row in whole if float(row[0]) < last])
+
+    # If this fails, a score of the picture misses all targets at the end.
+    def test_the_last_epoch_is_the_one_after_the_last_plot(self):
+        rows, _ = self.track([row for row in plots() if float(row.split(",")[0]) <= 97], "--epochs", "5")
+        self.assertEqual(float(rows[-1][0]), 100)
+        self.assertAlmostEqual(float(rows[-1][2]), 60e3 - 150 * 100, delta=400)
+        rows, _ = self.track([row for row in plots() if float(row.split(",")[0]) <= 97], "--epochs", "60")
+        self.assertEqual(float(rows[-1][0]), 60)
 
     # Other trackers' files have all plots of a scan at one time. If this fails, nothing is tracked and nobody is told.
     def test_snapshots_are_tracked_as_such(self):
@@ -271,6 +279,16 @@ class AditCsv(unittest.TestCase):
             for target in range(6):
                 x, y = 20e3 + 180 * 120 * math.sin(target), 30e3 * (target - 2.5) + 180 * 120 * math.cos(target)
                 self.assertLess(min(math.hypot(float(row[2]) - x, float(row[3]) - y) for row in last), 150)
+
+    def test_the_covariance_comes_when_it_is_asked_for(self):
+        self.write(plots())
+        done = self.start("--detections", self.detections, "--tracks", self.tracks, "--covariance", "--epochs", "10",
+                          "--radar", "a:6:0", "--radar", "b:8:0")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        with open(self.tracks) as file:
+            lines = file.read().splitlines()
+        self.assertEqual(lines[0].split(",")[:8], "t_s,track_id,x_m,y_m,vx_mps,vy_mps,status,cov_x_x".split(","))
+        self.assertTrue(all(0 < float(line.split(",")[7]) < 1e6 for line in lines[1:]))
 
     # If this fails, files whose time is that of the day or of the epoch 1970 take hours.
     def test_epochs_begin_with_the_plots(self):

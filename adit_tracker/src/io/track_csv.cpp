@@ -5,25 +5,45 @@
 #include <ostream>
 
 namespace adit_tracker {
+namespace {
+
+constexpr const char* kCovarianceColumns =
+    ",cov_x_x,cov_x_y,cov_x_vx,cov_x_vy,cov_y_y,cov_y_vx,cov_y_vy,cov_vx_vx,cov_vx_vy,cov_vy_vy";
+
+}  // namespace
 
 const char* statusOf(const Adit& adit, const Track& track) {
   if (!adit.tracks().confirmed(track)) return "tentative";
   return track.coasting ? "coasting" : "firm";
 }
 
-TrackCsv::TrackCsv(std::ostream& output, bool with_heights) : output_(output), with_heights_(with_heights) {
-  output_ << "t_s,track_id,x_m,y_m,vx_mps,vy_mps,status" << (with_heights ? ",height_m,height_sigma_m\n" : "\n");
+TrackCsv::TrackCsv(std::ostream& output, bool with_heights, bool with_covariances)
+    : output_(output), with_heights_(with_heights), with_covariances_(with_covariances) {
+  output_ << "t_s,track_id,x_m,y_m,vx_mps,vy_mps,status" << (with_heights ? ",height_m,height_sigma_m" : "")
+          << (with_covariances ? kCovarianceColumns : "") << '\n';
 }
 
 void TrackCsv::row(const Adit& adit, TrackFile::Slot slot, double time) {
   const Track& track = adit.tracks().at(slot);
-  const Kinematics k = adit.tracks().extrapolate(slot, time).kinematics;
+  const Extrapolation now = adit.tracks().extrapolate(slot, time);
+  const Kinematics& k = now.kinematics;
   char text[200];
   std::snprintf(text, sizeof text, "%.4f,%u,%.1f,%.1f,%.2f,%.2f,%s", time, track.uid, k.x, k.y, k.vx, k.vy,
                 statusOf(adit, track));
   output_ << text;
   if (with_heights_) heightColumns(adit.tracks().height(slot, time));
+  if (with_covariances_) covarianceColumns(now);
   output_ << '\n';
+}
+
+void TrackCsv::covarianceColumns(const Extrapolation& track) {
+  const tws::PlanarMotion& p = track.planar;
+  for (const double value : {p.position.xx, p.position.xy, p.x_vx, p.x_vy, p.position.yy, p.y_vx, p.y_vy, p.velocity.xx,
+                             p.velocity.xy, p.velocity.yy}) {
+    char text[40] = ",";
+    if (track.has_covariance) std::snprintf(text, sizeof text, ",%.6g", value);
+    output_ << text;
+  }
 }
 
 void TrackCsv::heightColumns(const std::optional<Height>& height) {

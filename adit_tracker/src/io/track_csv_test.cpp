@@ -67,6 +67,32 @@ TEST_F(TrackCsvTest, HeightsComeBehindTheUsualColumnsWhereTheyAreKnown) {
   EXPECT_NEAR(std::stod(rows.back()[7]), 0.2 * range, 60.0);  // R sin e and the earth's curvature, which cancel here
 }
 
+TEST_F(TrackCsvTest, CovariancesComeLastAndSayHowFarATrackMayBeOff) {
+  std::ostringstream text;
+  TrackCsv csv(text, false, true);
+  run("default", 98.0);
+  csv.picture(*adit_, 98.0);
+  csv.picture(*adit_, 118.0);
+  const auto rows = rowsOf(text.str());
+  ASSERT_EQ(rows.size(), 3U);
+  EXPECT_EQ(rows[0][7], "cov_x_x");
+  EXPECT_EQ(rows[0].back(), "cov_vy_vy");
+  ASSERT_EQ(rows[1].size(), 17U);
+  const double now = std::sqrt(std::stod(rows[1][7])), later = std::sqrt(std::stod(rows[2][7]));
+  EXPECT_GT(now, 20.0);
+  EXPECT_LT(now, 200.0);
+  EXPECT_GT(later, 2.0 * now);
+  EXPECT_GT(std::stod(rows[1].back()), 0.0);
+}
+
+TEST_F(TrackCsvTest, CovariancesAreEmptyWhereTheFilterHasNone) {
+  std::ostringstream text;
+  TrackCsv csv(text, false, true);
+  run("nrl7952", 98.0);
+  csv.picture(*adit_, 98.0);
+  EXPECT_EQ(text.str().substr(text.str().find(",firm") + 5), ",,,,,,,,,,\n");
+}
+
 // If this fails, whoever reads the file takes wrong tracks for good ones.
 TEST_F(TrackCsvTest, HasARowForEveryUpdateAndMissWithItsStatusAndNothingAfterADrop) {
   run("nrl7952", 160.0);
