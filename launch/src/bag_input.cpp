@@ -1,6 +1,5 @@
 #include "bag_input.h"
 
-#include <rosbag/bag.h>
 #include <rosbag/view.h>
 #include <tws_msgs/Detections.h>
 #include <tws_msgs/DwellReports.h>
@@ -9,6 +8,7 @@
 #include <tws_msgs/SectorMark.h>
 #include <tws_msgs/SsrPlots.h>
 #include <tws_msgs/Tracks.h>
+#include <tws_runtime/bag_file.h>
 #include <tws_runtime/conversions.h>
 
 #include <algorithm>
@@ -37,7 +37,7 @@ struct SensorTopic {
 
 template <class M>
 std::string radarAs(const rosbag::MessageInstance& message) {
-  const auto read = message.instantiate<M>();
+  const auto read = tws_runtime::messageAs<M>(message);
   return read ? read->radar : "";
 }
 
@@ -55,7 +55,7 @@ bool endsWith(const std::string& text, const std::string& ending) {
 
 class BagReader {
  public:
-  BagReader(RunInput& input, const GraphFile& file) : input_(input), file_(file), bag_(input.path) {
+  BagReader(RunInput& input, const GraphFile& file, const rosbag::Bag& bag) : input_(input), file_(file), bag_(bag) {
     std::set<std::string> known;
     rosbag::View all(bag_);
     for (const rosbag::ConnectionInfo* connection : all.getConnections())
@@ -183,7 +183,7 @@ class BagReader {
   void readDescription() {
     for (const Topic& topic : topics_) {
       if (topic.type != ros::message_traits::datatype<tws_msgs::GraphDescription>()) continue;
-      const auto message = first(topic).instantiate<tws_msgs::GraphDescription>();
+      const auto message = tws_runtime::messageAs<tws_msgs::GraphDescription>(first(topic));
       if (message && (!input_.recorded || spaceOf(topic.name) == input_.space))
         input_.recorded = graphFromYaml(message->yaml);
     }
@@ -203,7 +203,7 @@ class BagReader {
       if (topic == topics_.end()) continue;
       TrackerChoice& choice = input_.trackers[row.name];
       choice.on = true;
-      const auto tracks = first(*topic).instantiate<tws_msgs::Tracks>();
+      const auto tracks = tws_runtime::messageAs<tws_msgs::Tracks>(first(*topic));
       if (tracks) choice.parameters[row["sign"]["parameter"].as<std::string>()] = tracks->radar;
     }
   }
@@ -220,7 +220,7 @@ class BagReader {
 
   RunInput& input_;
   const GraphFile& file_;
-  rosbag::Bag bag_;
+  const rosbag::Bag& bag_;
   std::vector<Topic> topics_;
   std::vector<SensorTopic> found_;
   std::vector<std::unique_ptr<rosbag::View>> views_;  ///< Messages live as long as the view that they come from.
@@ -228,10 +228,14 @@ class BagReader {
 
 }  // namespace
 
-void readBag(RunInput& input, const GraphFile& file, const std::string& space) try {
-  BagReader(input, file).read(space);
-} catch (const std::exception& error) {
-  throw std::runtime_error(input.path + ": " + error.what());
+void readBag(RunInput& input, const GraphFile& file, const std::string& space) {
+  rosbag::Bag bag;
+  tws_runtime::openBag(bag, input.path);
+  try {
+    BagReader(input, file, bag).read(space);
+  } catch (const std::exception& error) {
+    throw std::runtime_error(input.path + ": " + error.what());
+  }
 }
 
 }  // namespace tws_launch

@@ -1,5 +1,7 @@
 #include "graph_description.h"
 
+#include <tws_runtime/parameters.h>
+
 #include <algorithm>
 #include <regex>
 #include <sstream>
@@ -80,14 +82,14 @@ std::string toYaml(const GraphDescription& graph) {
 }
 
 GraphDescription graphFromYaml(const std::string& yaml) try {
-  const YAML::Node tree = YAML::Load(yaml);
+  const YAML::Node tree = tws_runtime::parseParameters(yaml, "text");
   GraphDescription graph;
   graph.space = tree["namespace"].as<std::string>("");
   if (tree["sensors"]) graph.sensors = tree["sensors"].as<Sensors>();
   graph.remaps = textMap(tree["remaps"]);
   for (const YAML::Node& entry : tree["nodes"]) graph.nodes.push_back(nodeFromYaml(entry));
   return graph;
-} catch (const YAML::Exception& error) {
+} catch (const std::runtime_error& error) {
   throw std::runtime_error(std::string("is no description of a graph: ") + error.what());
 }
 

@@ -1,7 +1,7 @@
 #include "recorded_requests.h"
 
-#include <rosbag/bag.h>
 #include <rosbag/view.h>
+#include <tws_runtime/bag_file.h>
 
 #include <algorithm>
 #include <map>
@@ -38,16 +38,19 @@ RecordedRequests::RecordedRequests(tws_runtime::LocalGraph& graph, const RunInpu
   if (const auto topic = requestTopic(bag, space, tracker)) read(bus, bag.path, *topic);
 }
 
-void RecordedRequests::read(tws_runtime::Bus& bus, const std::string& path, const std::string& topic) try {
-  rosbag::Bag file(path, rosbag::bagmode::Read);
-  for (const rosbag::MessageInstance& message : rosbag::View(file, rosbag::TopicQuery(topic)))
-    if (const auto request = message.instantiate<tws_msgs::OperatorRequest>())
-      requests_.push_back(request);
-    else
-      bus.counter("requests left out").add("an operator's requests were recorded in the form of another version");
+void RecordedRequests::read(tws_runtime::Bus& bus, const std::string& path, const std::string& topic) {
+  rosbag::Bag file;
+  tws_runtime::openBag(file, path);
+  try {
+    for (const rosbag::MessageInstance& message : rosbag::View(file, rosbag::TopicQuery(topic)))
+      if (const auto request = tws_runtime::messageAs<tws_msgs::OperatorRequest>(message))
+        requests_.push_back(request);
+      else
+        bus.counter("requests left out").add("an operator's requests were recorded in the form of another version");
+  } catch (const std::runtime_error& error) {
+    throw std::runtime_error(path + ": " + error.what());
+  }
   if (!requests_.empty()) begin_ = rosbag::View(file).getBeginTime();
-} catch (const rosbag::BagException& error) {
-  throw std::runtime_error(path + ": is missing, truncated or no bag: " + error.what());
 }
 
 void RecordedRequests::step() {

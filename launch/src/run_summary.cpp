@@ -1,7 +1,7 @@
 #include "run_summary.h"
 
-#include <rosbag/bag.h>
 #include <rosbag/view.h>
+#include <tws_runtime/bag_file.h>
 #include <tws_runtime/conversions.h>
 
 #include <algorithm>
@@ -33,7 +33,7 @@ void printRow(std::ostream& out, const std::string& first, const Words&... other
 /// Adds the message to the summary when it is an M; says whether it was.
 template <class M>
 bool addAs(RunSummary& summary, const rosbag::MessageInstance& instance) {
-  const auto message = instance.instantiate<M>();
+  const auto message = tws_runtime::messageAs<M>(instance);
   if (message) summary.add(*message);
   return message != nullptr;
 }
@@ -42,14 +42,15 @@ bool addAs(RunSummary& summary, const rosbag::MessageInstance& instance) {
 
 RunSummary RunSummary::ofBag(const std::string& path) {
   RunSummary summary;
+  rosbag::Bag bag;
+  tws_runtime::openBag(bag, path);
   try {
-    const rosbag::Bag bag(path);
     for (const rosbag::MessageInstance& instance : rosbag::View(bag))
       addAs<tws_msgs::Detections>(summary, instance) || addAs<tws_msgs::DwellReports>(summary, instance) ||
           addAs<tws_msgs::RangeProfile>(summary, instance) || addAs<tws_msgs::Tracks>(summary, instance) ||
           addAs<tws_msgs::CorrelatedTracks>(summary, instance) || addAs<tws_msgs::ClutterMap>(summary, instance) ||
           addAs<diagnostic_msgs::DiagnosticArray>(summary, instance);
-  } catch (const rosbag::BagException& error) {
+  } catch (const std::runtime_error& error) {
     throw std::runtime_error(path + ": " + error.what());
   }
   return summary;

@@ -4,9 +4,13 @@
 
 namespace tws_runtime {
 
-/// Goes over the records of a bag and throws std::runtime_error, which names the file, when one is longer than what is
-/// left of the file: rosbag would ask for so much memory before it looks. Reads lengths only; what has not the first
-/// line of a bag is left to rosbag, which says so.
-void checkBagLengths(const std::string& path);
+/// Goes over a whole bag of format 2.0 (wiki.ros.org/Bags/Format/2.0) before rosbag opens it, which believes each
+/// length, count and offset in it. Throws std::runtime_error, one line that names the file, the byte, what is wrong
+/// there and what to do, unless
+/// - all records that rosbag reads are within the file, none of them twice, and the fields it takes have their sizes;
+/// - each chunk unpacks to as many bytes as it says, which are a bounded multiple of its own;
+/// - each entry of the index is a message of its connection, and each message in a chunk has one.
+/// Takes time in proportion to what the bag unpacks to, and the memory of one chunk.
+void checkBag(const std::string& path);
 
 }  // namespace tws_runtime

@@ -1,18 +1,15 @@
 #include <tws_runtime/bag_source.h>
 
 #include <ros/names.h>
-#include <rosbag/bag.h>
 #include <rosbag/view.h>
+#include <tws_runtime/bag_file.h>
 #include <tws_runtime/local_graph.h>
 
 #include <algorithm>
 #include <cstring>
 #include <map>
-#include <new>
 #include <set>
 #include <stdexcept>
-
-#include "bag_check.h"
 
 namespace tws_runtime {
 namespace {
@@ -63,12 +60,7 @@ std::string nodeName(const ros::M_string& header) {
 class BagSource::Impl {
  public:
   Impl(LocalGraph& graph, const std::string& path, const std::vector<std::string>& topics) : path_(path) {
-    checkBagLengths(path);
-    try {
-      bag_.open(path, rosbag::bagmode::Read);
-    } catch (const std::exception& error) {  // Not only rosbag's own: the file names a class that decrypts it.
-      throw std::runtime_error(path + ": is missing, truncated or no bag: " + oneLine(error.what()));
-    }
+    openBag(bag_, path);
     try {
       view_.addQuery(bag_, rosbag::TopicQuery(choose(graph, topics)));
     } catch (const rosbag::BagException& error) {
@@ -90,13 +82,9 @@ class BagSource::Impl {
     boost::shared_ptr<const void> read;
     std::string error;
     try {
-      read = readMessage(message, output);
-    } catch (const ros::Exception& exception) {  // Of rosbag or of deserialisation.
-      error = unreadable(message, exception.what());
-    } catch (const std::bad_alloc&) {  // roscpp believes the length of a list before it has seen that many elements.
-      error = unreadable(message, "a list in it is too long");
-    } catch (const std::length_error&) {
-      error = unreadable(message, "a list in it is too long");
+      read = readMessage(message, output.read, buffer_);
+    } catch (const std::runtime_error& unreadable) {
+      error = path_ + ": " + unreadable.what();
     }
     ++next_;  // Also past a bad message, so that the caller may go on.
     if (!read) throw std::runtime_error(error);
@@ -114,19 +102,6 @@ class BagSource::Impl {
     std::shared_ptr<Channel> channel;
     boost::shared_ptr<const void> (*read)(ros::serialization::IStream&);
   };
-
-  std::string unreadable(const rosbag::MessageInstance& message, const std::string& why) const {
-    return path_ + ": topic " + message.getTopic() + " at " + std::to_string(message.getTime().toSec()) +
-           " s cannot be read: " + why;
-  }
-
-  boost::shared_ptr<const void> readMessage(const rosbag::MessageInstance& message, const Output& output) {
-    buffer_.resize(message.size());
-    ros::serialization::OStream to_buffer(buffer_.data(), static_cast<std::uint32_t>(buffer_.size()));
-    message.write(to_buffer);
-    ros::serialization::IStream stream(buffer_.data(), static_cast<std::uint32_t>(buffer_.size()));
-    return output.read(stream);
-  }
 
   std::vector<std::string> choose(const LocalGraph& graph, const std::vector<std::string>& wanted) {
     static const std::set<std::string> kOfTheOldRun{"/clock", "/rosout", "/rosout_agg", "/diagnostics"};

@@ -307,16 +307,15 @@ void scaledNumber(ParameterReader& reader, const std::string& key, double& value
   value = read * unit;
 }
 
-YAML::Node loadParameterFile(const std::string& path) {
-  const std::string text = textOf(path);
-  try {
-    const YAML::Node tree = YAML::Load(text);
-    TreeCheck(path, text.size()).check(tree);
-    return tree.IsNull() ? YAML::Node(YAML::NodeType::Map) : tree;
-  } catch (const YAML::Exception& error) {
-    complain(path, error.mark, error.msg);
-  }
+YAML::Node parseParameters(const std::string& text, const std::string& name) try {
+  const YAML::Node tree = YAML::Load(text);
+  TreeCheck(name, text.size()).check(tree);
+  return tree.IsNull() ? YAML::Node(YAML::NodeType::Map) : tree;
+} catch (const YAML::Exception& error) {
+  complain(name, error.mark, error.msg);
 }
+
+YAML::Node loadParameterFile(const std::string& path) { return parseParameters(textOf(path), path); }
 
 YAML::Node withoutRuntimeKeys(const YAML::Node& tree) {
   if (!tree.IsDefined() || !tree.IsMap()) return tree;

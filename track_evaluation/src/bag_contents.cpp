@@ -1,7 +1,6 @@
 #include "bag_contents.h"
 
 #include <ros/names.h>
-#include <rosbag/bag.h>
 #include <rosbag/view.h>
 #include <tws_msgs/CorrelatedTracks.h>
 #include <tws_msgs/Detections.h>
@@ -10,6 +9,8 @@
 #include <tws_msgs/SsrPlots.h>
 #include <tws_msgs/Tracks.h>
 #include <tws_msgs/Truth.h>
+#include <tws_runtime/bag_file.h>
+#include <tws_runtime/parameters.h>
 
 #include <algorithm>
 #include <set>
@@ -58,18 +59,17 @@ std::string truthIn(const rosbag::Bag& bag, const std::string& space) {
 YAML::Node originIn(const rosbag::Bag& bag) {
   rosbag::View view(bag, rosbag::TypeQuery(ros::message_traits::datatype<tws_msgs::GraphDescription>()));
   for (const rosbag::MessageInstance& message : view) {
-    const auto graph = message.instantiate<tws_msgs::GraphDescription>();
+    const auto graph = tws_runtime::messageAs<tws_msgs::GraphDescription>(message);
     if (!graph) continue;
-    for (const YAML::Node& node : YAML::Load(graph->yaml)["nodes"])
+    for (const YAML::Node& node : tws_runtime::parseParameters(graph->yaml, "its graph description")["nodes"])
       if (node["parameters"] && node["parameters"]["origin"]) return node["parameters"]["origin"];
   }
   return YAML::Node();
 }
 
-BagContents inspect(const std::string& path) {
-  const rosbag::Bag bag(path);
+BagContents inspect(const rosbag::Bag& bag) {
   rosbag::View all(bag);
-  if (all.size() == 0) throw std::runtime_error(path + ": is empty");
+  if (all.size() == 0) throw std::runtime_error("is empty");
   BagContents contents;
   contents.trackers = publishersOf<tws_msgs::Tracks>(bag, "tracks");
   contents.correlators = publishersOf<tws_msgs::CorrelatedTracks>(bag, "tracks");
@@ -111,13 +111,15 @@ std::map<std::string, std::string> BagContents::remaps() const {
 }
 
 BagContents inspectBag(const std::string& path) {
+  rosbag::Bag bag;
+  tws_runtime::openBag(bag, path);
   BagContents contents;
   try {
-    contents = inspect(path);
-  } catch (const rosbag::BagException& error) {
-    throw std::runtime_error(path + ": is missing, truncated or no bag: " + error.what());
+    contents = inspect(bag);
   } catch (const YAML::Exception& error) {
     throw std::runtime_error(path + ": its graph description cannot be read: " + error.what());
+  } catch (const std::runtime_error& error) {
+    throw std::runtime_error(path + ": " + error.what());
   }
   if (contents.trackers.empty()) throw std::runtime_error(path + ": holds no tracks (tws_msgs/Tracks on NAME/tracks)");
   return contents;

@@ -19,7 +19,7 @@ class BagSource : public Source {
  public:
   /// `topics` empty: all but those that a node of the graph publishes itself (/tf_static excepted), and never /clock,
   /// /rosout, /rosout_agg and /diagnostics, which are of the run that was recorded. Throws std::runtime_error, one
-  /// line that names the file and the topic, when the file is missing, truncated or no bag, a topic is not in it, or
+  /// line that names the file and the topic, when the file is no whole bag (openBag()), a topic is not in it, or
   /// its type has another md5 than the node's.
   BagSource(LocalGraph& graph, const std::string& path, const std::vector<std::string>& topics = {});
   ~BagSource() override;

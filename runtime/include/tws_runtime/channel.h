@@ -4,6 +4,7 @@
 #include <ros/serialization.h>
 #include <ros/service_traits.h>
 #include <ros/time.h>
+#include <tws_runtime/message_walk.h>
 
 #include <boost/make_shared.hpp>
 #include <boost/shared_ptr.hpp>
@@ -33,7 +34,7 @@ struct MessageType {
   ros::Time (*stamp)(const void* message);  ///< header.stamp; zero without a header.
   std::uint32_t (*length)(const void* message);
   void (*write)(const void* message, ros::serialization::OStream& stream);
-  /// Throws ros::serialization::StreamOverrunException when the bytes end too early.
+  /// Throws ros::serialization::StreamOverrunException when the bytes end too early, before it asks for memory.
   boost::shared_ptr<const void> (*read)(ros::serialization::IStream& stream);
 };
 
@@ -70,6 +71,7 @@ void writeTo(const void* message, ros::serialization::OStream& stream) {
 
 template <class M>
 boost::shared_ptr<const void> readFrom(ros::serialization::IStream& stream) {
+  MessageWalk(stream).check<M>();
   auto message = boost::make_shared<M>();
   ros::serialization::deserialize(stream, *message);
   return message;

@@ -81,6 +81,8 @@ void scaledNumber(ParameterReader& reader, const std::string& key, double& value
 /// The tree in a YAML file. Throws ParameterError with file, line, column and reason when it cannot be read, is no
 /// YAML, or holds a key twice in one map. An empty file is an empty map.
 YAML::Node loadParameterFile(const std::string& path);
+/// The same of a text that is called `name` in complaints.
+YAML::Node parseParameters(const std::string& text, const std::string& name);
 
 /// The tree without the keys that are the runtime's own (`live`): what a node may see of its private parameters.
 YAML::Node withoutRuntimeKeys(const YAML::Node& tree);
