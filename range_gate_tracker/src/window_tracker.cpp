@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include <tws_core/angles.h>
@@ -53,13 +54,11 @@ void WindowTracker::process(const tws::RadarSector& sector) {
 }
 
 void WindowTracker::detect(const tws::RadarSector& sector) {
-  while (!plots_.empty() && plots_.front().running < sector.running - kKept) plots_.pop_front();
-  for (const tws::Plot& plot : sector.plots) {
-    if (isGood(plot))
-      plots_.push_back({plot, sector.running, false});
-    else
-      ++counts_.rejected_plots;
-  }
+  plots_.forgetBefore(sector.running - kKept);
+  std::vector<tws::Plot> good;
+  std::copy_if(sector.plots.begin(), sector.plots.end(), std::back_inserter(good), isGood);
+  counts_.rejected_plots += sector.plots.size() - good.size();
+  plots_.add(sector.running, good);
 }
 
 void WindowTracker::decide(TrackFile& track) {
@@ -75,12 +74,10 @@ void WindowTracker::decide(TrackFile& track) {
   openNext(track);
 }
 
-std::vector<WindowTracker::HeldPlot*> WindowTracker::plotsIn(const TrackFile& track) {
+std::vector<HeldPlot*> WindowTracker::plotsIn(const TrackFile& track) {
   std::vector<HeldPlot*> inside;
-  for (HeldPlot& held : plots_) {
-    const bool in = track.window.isOpenIn(held.running) && track.window.contains(held.plot);
-    if (in && (track.window.tracking || !held.used) && !isClaimed(held, track)) inside.push_back(&held);
-  }
+  for (HeldPlot* held : plots_.in(track.window))
+    if ((track.window.tracking || !held->used) && !isClaimed(*held, track)) inside.push_back(held);
   return inside;
 }
 
@@ -89,8 +86,7 @@ int WindowTracker::rankOf(const TrackFile& track) const { return isConfirmed(tra
 
 bool WindowTracker::isClaimed(const HeldPlot& held, const TrackFile& by) const {
   const int rank = rankOf(by);
-  return std::any_of(tracks_.begin(), tracks_.end(), [&](const auto& entry) {
-    const TrackFile& other = entry.second;
+  return windows_.any(held.plot, [&](const TrackFile& other) {
     if (other.number == by.number) return false;
     const int its = rankOf(other);
     const bool stronger = its > rank || (its == rank && rank > 0 && params_.overlap == Overlap::kMomentum);
@@ -137,6 +133,7 @@ void WindowTracker::openNext(TrackFile& track) {
   predicted = at(track, std::max(time, latest + 0.5 * period));
   const PlotSigmas sigmas = sigmasOf(track.measured, params_);
   const double dt = predicted.time - track.last_update;
+  windows_.remove(track, track.previous);
   track.previous = track.window;
   track.window.tracking = track.hits >= 2;
   openWindow(track, predicted,
@@ -155,33 +152,45 @@ void WindowTracker::openWindow(TrackFile& track, const WindowKinematics& predict
   window.half_azimuth = size.azimuth;
   window.open = std::max(middle - half, track.previous.close + 1);
   window.close = std::max(middle + half, window.open);
+  windows_.add(track, window);
 }
 
 /// A detection starts a track as soon as no window that holds it is still to be decided; one in a tracking window
 /// belongs to that track, taken or not.
 void WindowTracker::initiate(std::int64_t running) {
-  for (HeldPlot& held : plots_) {
-    if (held.used || held.running > running - 2 * kMargin || isAwaited(held, running)) continue;
-    held.used = true;
-    if (!params_.automatic || belongsToATrack(held)) continue;
-    if (TrackFile* track = open(held.plot.time)) {
-      take(*track, held.plot);
-      news_.back().second = WindowEvent::kStarted;
-      openNext(*track);
+  for (HeldPlots::Sector& sector : plots_.sectors()) {
+    if (sector.running > running - 2 * kMargin) break;
+    const bool crowded = sector.plots.size() > kMostPlots;
+    for (HeldPlot& held : sector.plots) {
+      if (held.used || isAwaited(held, running)) continue;
+      held.used = true;
+      if (!params_.automatic || belongsToATrack(held)) continue;
+      if (crowded)
+        ++counts_.crowded_plots;
+      else
+        startAt(held);
     }
   }
 }
 
+void WindowTracker::startAt(const HeldPlot& held) {
+  TrackFile* track = open(held.plot.time);
+  if (track == nullptr) return;
+  take(*track, held.plot);
+  news_.back().second = WindowEvent::kStarted;
+  openNext(*track);
+}
+
 bool WindowTracker::isAwaited(const HeldPlot& held, std::int64_t running) const {
-  return std::any_of(tracks_.begin(), tracks_.end(), [&](const auto& entry) {
-    const TrackWindow& window = entry.second.window;
+  return windows_.any(held.plot, [&](const TrackFile& track) {
+    const TrackWindow& window = track.window;
     return window.close > running && window.isOpenIn(held.running) && window.contains(held.plot);
   });
 }
 
 bool WindowTracker::belongsToATrack(const HeldPlot& held) const {
-  return std::any_of(tracks_.begin(), tracks_.end(), [&](const auto& entry) {
-    const TrackWindow* window = windowOf(entry.second, held.running);
+  return windows_.any(held.plot, [&](const TrackFile& track) {
+    const TrackWindow* window = windowOf(track, held.running);
     return window != nullptr && window->tracking && window->contains(held.plot);
   });
 }
@@ -219,16 +228,24 @@ std::optional<std::uint32_t> WindowTracker::designate(double range, double azimu
 bool WindowTracker::cancel(std::uint32_t number) {
   const auto found = tracks_.find(number);
   if (found == tracks_.end()) return false;
-  numbers_.drop(number);
+  // The number may be another track's before the next report.
   news_.erase(std::remove_if(news_.begin(), news_.end(), [&](const auto& n) { return n.first == number; }),
               news_.end());
-  dropped_.push_back(std::move(found->second));
-  tracks_.erase(found);
+  close(found);
   return true;
 }
 
+void WindowTracker::close(std::map<std::uint32_t, TrackFile>::iterator track) {
+  numbers_.drop(track->first);
+  windows_.remove(track->second, track->second.window);
+  windows_.remove(track->second, track->second.previous);
+  dropped_.push_back(std::move(track->second));
+  tracks_.erase(track);
+}
+
 void WindowTracker::cancelAll() {
-  while (!tracks_.empty()) cancel(tracks_.begin()->first);
+  news_.clear();
+  while (!tracks_.empty()) close(tracks_.begin());
 }
 
 bool WindowTracker::isConfirmed(const TrackFile& track) const {
@@ -245,12 +262,14 @@ WindowKinematics WindowTracker::at(const TrackFile& track, double time) const {
   return marker;
 }
 
+/// What is reported of them is that.
 void WindowTracker::cancelLost() {
-  std::vector<std::uint32_t> lost;
-  for (const auto& [number, track] : tracks_) {
-    if (track.misses >= (isConfirmed(track) ? params_.missed_scans : params_.acquisition_scans)) lost.push_back(number);
+  for (auto track = tracks_.begin(); track != tracks_.end();) {
+    const auto next = std::next(track);
+    const int most = isConfirmed(track->second) ? params_.missed_scans : params_.acquisition_scans;
+    if (track->second.misses >= most) close(track);
+    track = next;
   }
-  for (const std::uint32_t number : lost) cancel(number);
 }
 
 void WindowTracker::report(const tws::RadarSector& sector) {

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <deque>
 #include <functional>
 #include <map>
 #include <optional>
@@ -11,8 +10,10 @@
 #include <tws_core/number_file.h>
 #include <tws_core/plot.h>
 
+#include "held_plots.h"
 #include "target_type.h"
 #include "track_window.h"
+#include "window_index.h"
 #include "window_motion.h"
 #include "window_params.h"
 
@@ -55,6 +56,7 @@ struct WindowReport {
 struct WindowCounts {
   std::uint64_t refused_tracks = 0;  ///< All numbers were in use.
   std::uint64_t rejected_plots = 0;  ///< Range, azimuth or time was no number, or the range not above 0.
+  std::uint64_t crowded_plots = 0;   ///< In sectors with more than kMostPlots: they started no tracks.
 };
 
 /// Track-while-scan by windows, after Henery 1985, sections 2.4 and 2.5, on one rotating radar. Same sectors and
@@ -62,6 +64,9 @@ struct WindowCounts {
 class WindowTracker {
  public:
   using OnReport = std::function<void(const WindowReport&)>;
+  /// In a sector with more plots than this no track starts by itself: it is a flood, of which each plot would open a
+  /// window. Tracks and markers take from it what is in their windows.
+  static constexpr std::size_t kMostPlots = 2000;
 
   /// Throws std::invalid_argument as check(). `on_report` is called once for each sector.
   WindowTracker(const WindowParams& params, OnReport on_report);
@@ -88,12 +93,6 @@ class WindowTracker {
   const WindowParams& params() const { return params_; }
 
  private:
-  struct HeldPlot {
-    tws::Plot plot;
-    std::int64_t running;  // of its sector
-    bool used;
-  };
-
   void detect(const tws::RadarSector& sector);
   void decide(TrackFile& track);
   std::vector<HeldPlot*> plotsIn(const TrackFile& track);
@@ -104,9 +103,11 @@ class WindowTracker {
   void openNext(TrackFile& track);
   void openWindow(TrackFile& track, const WindowKinematics& predicted, const WindowSize& size);
   void initiate(std::int64_t running);
+  void startAt(const HeldPlot& held);
   bool isAwaited(const HeldPlot& held, std::int64_t running) const;
   bool belongsToATrack(const HeldPlot& held) const;
   TrackFile* open(double time);
+  void close(std::map<std::uint32_t, TrackFile>::iterator track);
   void cancelLost();
   void report(const tws::RadarSector& sector);
 
@@ -118,7 +119,8 @@ class WindowTracker {
   tws::NumberFile numbers_;
   std::uint32_t next_uid_ = 0;
   std::map<std::uint32_t, TrackFile> tracks_;
-  std::deque<HeldPlot> plots_;
+  WindowIndex windows_;  // current and previous ones of all tracks
+  HeldPlots plots_;
   std::vector<std::pair<std::uint32_t, WindowEvent>> news_;  // by number
   std::vector<TrackFile> dropped_;
   WindowCounts counts_;

@@ -76,7 +76,10 @@ class WindowTrackerNode::Impl {
         counts_(bus, {{"refused tracks", &WindowCounts::refused_tracks,
                        "all " + std::to_string(params_.tracker.capacity - 1) + " track numbers are in use"},
                       {"rejected plots", &WindowCounts::rejected_plots,
-                       "range, azimuth or time is no number, or range is not above 0"}}),
+                       "range, azimuth or time is no number, or range is not above 0"},
+                      {"crowded plots", &WindowCounts::crowded_plots,
+                       "a sector holds more than " + std::to_string(WindowTracker::kMostPlots) +
+                           " plots: no track starts there by itself"}}),
         inputs_(
             bus, {tws_runtime::usualTopics(params_.radar)}, params_.inputs,
             [this](std::size_t, tws::RadarSector sector) { onSector(std::move(sector)); },

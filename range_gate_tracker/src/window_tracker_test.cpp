@@ -242,6 +242,25 @@ TEST(WindowTracker, CountsWhatItCannotTake) {
   EXPECT_EQ(station.tracker.tracks().size(), 1U);
 }
 
+// If this fails, one sector full of jamming stops the tracker for seconds, uses up all track numbers, or costs a track.
+TEST(WindowTracker, AFloodOfPlotsStartsNoTracksAndLosesNone) {
+  std::vector<Flight> flights;
+  for (int i = 0; i < 7; ++i) flights.push_back(straight(20e3 + 15e3 * i, 30e3, -100.0, 50.0));
+  auto sectors = TestRadar::sectors(flights, 12);
+  constexpr int kPlots = 20003;
+  tws::RadarSector& flood = sectors[7 * tws::kSectors + 10];
+  for (int i = 0; i < kPlots; ++i) {
+    tws::Plot plot = TestRadar::plotAt(flights[0], flood.enter_time);
+    plot.range = 1e3 + 10.0 * i;
+    flood.plots.push_back(plot);
+  }
+  Station station;
+  station.run(sectors);
+  EXPECT_EQ(station.count(WindowEvent::kStarted), 7);
+  EXPECT_EQ(station.count(WindowEvent::kDropped), 0);
+  EXPECT_GT(station.tracker.counts().crowded_plots, kPlots / 2U);
+}
+
 // A radar that was off comes back: what was tracked is missed and dropped, and nothing is stuck.
 TEST(WindowTracker, GoesOnAfterAGapInTheSectors) {
   Station station;
