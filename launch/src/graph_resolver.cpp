@@ -160,9 +160,9 @@ class Resolver {
     return text.str();
   }
 
-  /// Words whose meaning is known only when all nodes are; until then they stand for themselves.
+  /// Words whose meaning is known only when all nodes are.
   YAML::Node valueFromGraph(const std::string& word, const std::string& rest) const {
-    if (!complete_) return YAML::Node("$" + word);
+    if (!complete_ || word == "description") return later(word);
     const GraphLists lists(graph_, input_, sensorTopics());
     if (word == "trackers") return listOf(lists.namesOfType("tws_msgs/Tracks"));
     if (word == "correlators") return listOf(lists.namesOfType("tws_msgs/CorrelatedTracks"));
@@ -176,7 +176,6 @@ class Resolver {
     if (word == "drawn.topics") return drawnTopics();
     if (word == "drawn.trackers") return drawn("tws_msgs/Tracks");
     if (word == "drawn.correlators") return drawn("tws_msgs/CorrelatedTracks");
-    if (word == "description") return YAML::Node("$description");
     throw std::runtime_error("graph.yaml: $" + word + " is not known");
   }
 
@@ -197,7 +196,7 @@ class Resolver {
     NodeDescription& node = graph_.nodes[i];
     const NodeRow& row = *rows_[i];
     const TemplateWords words = wordsFor(node);
-    node.parameters = filledIn(node.parameters, words);
+    node.parameters = completed(node.parameters, words);
     if (row["args"]) node.arguments = filledInArguments(row["args"].as<std::string>(), words);
     if (node.program() == "rviz/rviz" && node.arguments.size() > 1) node.arguments[1] = filePath(node.arguments[1]);
     if (row["remaps"])
@@ -207,7 +206,7 @@ class Resolver {
 
   void describeItself() {
     for (NodeDescription& node : graph_.nodes) {
-      if (!node.parameters["graph"] || node.parameters["graph"].Scalar() != "$description") continue;
+      if (!node.parameters["graph"] || laterWord(node.parameters["graph"]).empty()) continue;
       node.parameters.remove("graph");
       node.parameters["graph"] = toYaml(graph_);
     }

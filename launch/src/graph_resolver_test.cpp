@@ -5,6 +5,7 @@
 #include <tws_msgs/RangeProfile.h>
 #include <tws_msgs/Tracks.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 
@@ -60,6 +61,19 @@ TEST(GraphResolver, TakesParametersFromAScenariosContentNotFromItsName) {
   EXPECT_EQ(text(graphOf(folder.file("mine.yaml")), "range_gate_tracker", "window_m"), "100.0");
   std::filesystem::copy_file(kScenarios + "mrs_aircraft.yaml", folder.file("mrs_ship.yaml"));
   EXPECT_EQ(text(graphOf(folder.file("mrs_ship.yaml")), "range_gate_tracker", "window_m"), "24.0");
+}
+
+// If this fails, a file below /data/$day cannot be run.
+TEST(GraphResolver, TakesNoPathForAWord) {
+  const TemporaryFolder folder;
+  const std::string mine = folder.file("a$HOME $name.yaml");
+  std::filesystem::copy_file(kScenarios + "full.yaml", mine);
+  const GraphDescription graph = graphOf(mine, options({{"record", "/$each.rotating/$x.bag"}, {"rate", "1"}}), true);
+  EXPECT_EQ(text(graph, "radar_sim", "scenario"), '"' + mine + '"');
+  const NodeDescription* recorder = graph.find("recorder");
+  ASSERT_TRUE(recorder);
+  EXPECT_EQ(std::count(recorder->arguments.begin(), recorder->arguments.end(), "--output-name=/$each.rotating/$x.bag"),
+            1);
 }
 
 TEST(GraphResolver, LetsAPersonChangeWhatAScenarioSays) {

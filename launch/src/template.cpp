@@ -12,6 +12,7 @@ namespace {
 
 const char* const kWordCharacters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_.";
 const std::string kEach = "$each.";
+const std::string kLater = "known later";  // A tag; the space keeps it out of any file.
 
 /// The word that stands at `dollar` in the text, without the dollar.
 std::string wordAt(const std::string& text, std::size_t dollar) {
@@ -62,13 +63,23 @@ YAML::Node filledInText(const YAML::Node& scalar, const TemplateWords& words) {
   std::size_t dollar = text.find('$');
   if (dollar == std::string::npos) return YAML::Clone(scalar);
   if (dollar == 0 && wordAt(text, 0).size() + 1 == text.size()) return words.valueOf(text.substr(1));
-  for (; dollar != std::string::npos; dollar = text.find('$', dollar)) {
+  while (dollar != std::string::npos) {
     const std::string word = wordAt(text, dollar);
     const YAML::Node value = words.valueOf(word);
     if (!isThere(value)) return {};
+    if (!laterWord(value).empty()) throw std::runtime_error("graph.yaml: $" + word + " must stand alone: " + text);
     text.replace(dollar, word.size() + 1, value.as<std::string>());
+    dollar = text.find('$', dollar + value.Scalar().size());
   }
   return YAML::Node(text);
+}
+
+/// Adds the value of an entry: what a word stands for may be several.
+void append(YAML::Node& list, const YAML::Node& entry, const YAML::Node& value) {
+  if (entry.IsScalar() && value.IsSequence())
+    for (const YAML::Node& one : value) list.push_back(one);
+  else if (isThere(value))
+    list.push_back(value);
 }
 
 /// The entry, as often as it is to be repeated, filled in.
@@ -83,13 +94,7 @@ std::vector<YAML::Node> repeated(const YAML::Node& entry, const TemplateWords& w
 YAML::Node filledInList(const YAML::Node& list, const TemplateWords& words) {
   YAML::Node result(YAML::NodeType::Sequence);
   for (const YAML::Node& entry : list)
-    for (const YAML::Node& copy : repeated(entry, words)) {
-      if (!isThere(copy)) continue;
-      if (entry.IsScalar() && copy.IsSequence())  // A word for several.
-        for (const YAML::Node& one : copy) result.push_back(one);
-      else
-        result.push_back(copy);
-    }
+    for (const YAML::Node& copy : repeated(entry, words)) append(result, entry, copy);
   return result;
 }
 
@@ -111,6 +116,28 @@ YAML::Node filledInMap(const YAML::Node& map, const TemplateWords& words) {
 }
 
 }  // namespace
+
+YAML::Node later(const std::string& word) {
+  YAML::Node node(word);
+  node.SetTag(kLater);
+  return node;
+}
+
+std::string laterWord(const YAML::Node& node) { return node.IsScalar() && node.Tag() == kLater ? node.Scalar() : ""; }
+
+YAML::Node completed(const YAML::Node& tree, const TemplateWords& words) {
+  if (const std::string word = laterWord(tree); !word.empty()) return words.valueOf(word);
+  if (!tree.IsMap() && !tree.IsSequence()) return tree;
+  YAML::Node result(tree.Type());
+  for (const auto& entry : tree) {
+    const YAML::Node value = completed(tree.IsMap() ? entry.second : YAML::Node(entry), words);
+    if (!tree.IsMap())
+      append(result, entry, value);
+    else if (isThere(value))
+      result[entry.first.Scalar()] = value;
+  }
+  return result;
+}
 
 YAML::Node filledIn(const YAML::Node& tree, const TemplateWords& words) {
   if (tree.IsScalar()) return filledInText(tree, words);

@@ -20,6 +20,8 @@ TemplateWords words() {
   words.valueOf = [](const std::string& word) {
     if (word == "one") return YAML::Node("1.5");
     if (word == "several") return YAML::Load("[p, q]");
+    if (word == "path") return YAML::Node("/a$one b");
+    if (word == "later" || word == "late_none") return later(word);
     if (word != "none") throw std::runtime_error(word);
     return YAML::Node();
   };
@@ -56,6 +58,23 @@ TEST(Template, MakesTheWordsOfACommandLine) {
   EXPECT_EQ(filledInArguments("--rate=$one --gone=$none --topics $several end", words()),
             (std::vector<std::string>{"--rate=1.5", "--topics", "p", "q", "end"}));
 }
+
+// If one of these fails, a person's /data/$day/run.bag is taken for a word of graph.yaml.
+TEST(Template, LeavesWhatCameInPlaceOfAWord) {
+  EXPECT_EQ(filled("{a: $path, b: --out=$path/x$one}"), R"({"a": "/a$one b", "b": "--out=/a$one b/x1.5"})");
+  EXPECT_EQ(filledInArguments("--out=$path", words()), std::vector<std::string>{"--out=/a$one b"});
+}
+
+TEST(Template, CompletesOnlyWhatWasLeftForLater) {
+  YAML::Node tree = filledIn(YAML::Load("{a: $path, b: [$later, x], c: {d: $later}, e: $late_none}"), words());
+  tree["file"] = YAML::Load("[\"$one\", $each.rotating/x, ~]");
+  TemplateWords known = words();
+  known.valueOf = [](const std::string& word) { return word == "later" ? YAML::Load("[p, q]") : YAML::Node(); };
+  EXPECT_EQ(inOneLine(completed(tree, known)),
+            R"({"a": "/a$one b", "b": ["p", "q", "x"], "c": {"d": ["p", "q"]}, "file": ["$one", "$each.rotating/x"]})");
+}
+
+TEST(Template, RefusesAWordForLaterInsideOfText) { EXPECT_THROW(filled("[x$later]"), std::runtime_error); }
 
 TEST(Template, RefusesAWordThatIsNotKnown) { EXPECT_THROW(filled("[$unknown]"), std::runtime_error); }
 

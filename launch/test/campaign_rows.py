@@ -20,7 +20,7 @@ STOP_DURATION, DURATION, KILL_AT = 280.0, 88.0, 20.0  # [s of data time]
 BEFORE, AFTER = (8.0, 20.0), (60.0, 86.0)
 TRACKERS = ("adit", "ssr_tracker", "window_tracker", "range_gate_tracker", "frame_builder", "mfa_stub", "track_correlator")
 NOBODY = 65534
-ODD_NAMES = ("two  spaces", "it's \"quoted\"", "März 東京", "-dash", "two\nlines", "percent %s `id`")
+ODD_NAMES = ("two  spaces", "it's \"quoted\"", "März 東京", "-dash", "two\nlines", "percent %s `id`", "a$HOME $name")
 FEW_FILES, SMALL_FILE = 64, 2**20
 
 

@@ -16,7 +16,7 @@ import rosgraph
 
 from graph_test_kit import free_port
 
-ODD = "it's \"two\nlines\" & März -x"
+ODD = "it's \"two\nlines\" & März $HOME -x"
 
 
 def wait(what, seconds=60):
