@@ -6,7 +6,6 @@
 #include <cstdlib>
 #include <ctime>
 #include <filesystem>
-#include <fstream>
 #include <regex>
 #include <sstream>
 #include <stdexcept>
@@ -33,14 +32,6 @@ std::string shellWord(const std::string& text) {
   return word + "'";
 }
 
-std::string textOf(const std::string& path) {
-  std::ifstream file(path);
-  std::stringstream text;
-  text << file.rdbuf();
-  if (!file) throw std::runtime_error(path + ": cannot be read");
-  return text.str();
-}
-
 void write(const std::string& path, const std::string& text) {
   tws::OutputFile file(path);
   file.stream() << text;
@@ -50,7 +41,7 @@ void write(const std::string& path, const std::string& text) {
 /// Our configuration of RViz shows 200 km; another range makes another scale.
 void writeRvizConfig(const std::string& path, double range) {
   constexpr double kUsualRange = 200000.0;
-  const std::string usual = textOf(packageFolder("tws_rviz") + "/config/ppi.rviz");
+  const std::string usual = tws::readRegularFile(packageFolder("tws_rviz") + "/config/ppi.rviz", 1U << 20U);
   std::smatch scale;
   if (!std::regex_search(usual, scale, std::regex("\n( +Scale: )([0-9.]+)")))
     throw std::runtime_error("ppi.rviz has no scale");
