@@ -4,10 +4,11 @@
 
 #include <cmath>
 #include <limits>
-#include <random>
 #include <stdexcept>
 #include <string>
 #include <vector>
+
+#include <tws_core/random_test_helpers.h>
 
 namespace tws_runtime {
 namespace {
@@ -36,9 +37,7 @@ std::string faultWith(double tws_msgs::Detection::*field, double value) {
 
 // If this fails, the stamps of tracks differ from those of the sectors that made them.
 TEST(Conversions, EveryNanosecondBelowTwoToTheTwentyThirdSecondsComesBack) {
-  const unsigned seed = std::random_device{}();
-  SCOPED_TRACE("seed " + std::to_string(seed));
-  std::mt19937_64 random(seed);
+  std::mt19937_64 random = tws::seededGenerator();
   std::uniform_int_distribution<std::uint32_t> second(0, (1u << 23) - 1);
   std::uniform_int_distribution<std::uint32_t> nanosecond(0, 999999999);
   for (int i = 0; i < 100000; ++i) {
@@ -51,9 +50,7 @@ TEST(Conversions, EveryNanosecondBelowTwoToTheTwentyThirdSecondsComesBack) {
 
 // The spacing of doubles between 2^30 and 2^31 is 2^-22 s = 0.238 us; rounding errs by at most half of it.
 TEST(Conversions, WallTimeComesBackToWithinHalfTheSpacingOfDoubles) {
-  const std::mt19937::result_type seed = std::random_device{}();
-  SCOPED_TRACE("seed " + std::to_string(seed));
-  std::mt19937 random(seed);
+  std::mt19937_64 random = tws::seededGenerator();
   std::uniform_int_distribution<std::uint32_t> nanosecond(0, 999999999);
   for (int i = 0; i < 10000; ++i) {
     const ros::Time time(1700000000u, nanosecond(random));

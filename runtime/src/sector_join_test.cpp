@@ -9,6 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include <tws_core/random_test_helpers.h>
+
 #include "sector_join_test_helpers.h"
 
 namespace tws_runtime {
@@ -36,7 +38,7 @@ TEST(SectorJoin, ASectorIsGivenAsSoonAsBothItsMessagesAreThere) {
 
 /// The messages in an order of arrival in which none comes more than `skew` of data time after a later one. The first
 /// of each of the two topics stays first.
-std::vector<Message> shuffled(const std::vector<Message>& messages, double skew, std::mt19937& random) {
+std::vector<Message> shuffled(const std::vector<Message>& messages, double skew, std::mt19937_64& random) {
   std::uniform_real_distribution<double> delay(0.0, skew);
   std::vector<std::pair<double, Message>> arrivals;
   for (std::size_t i = 0; i < messages.size(); ++i)
@@ -50,9 +52,7 @@ std::vector<Message> shuffled(const std::vector<Message>& messages, double skew,
 
 // If this fails, a live run differs from its replay although nothing was lost.
 TEST(SectorJoin, TheSectorsAreTheSameForEveryOrderOfArrivalWithinTheLimit) {
-  const std::mt19937::result_type seed = std::random_device{}();
-  SCOPED_TRACE("seed " + std::to_string(seed));
-  std::mt19937 random(seed);
+  std::mt19937_64 random = tws::seededGenerator();
   for (int trial = 0; trial < 300; ++trial) {
     Joined joined;
     joined.add(shuffled(run(0, 150), 0.49, random));
@@ -172,9 +172,7 @@ TEST(SectorJoin, WhenTheTwoMessagesDisagreeTheMarkGivesTheTime) {
 
 // If this fails, losses under disorder stall the tracker, give a sector twice, or are counted wrongly.
 TEST(SectorJoin, UnderRandomLossDuplicationAndDisorderEverySectorComesOnceAndEveryLossIsCounted) {
-  const std::mt19937::result_type seed = std::random_device{}();
-  SCOPED_TRACE("seed " + std::to_string(seed));
-  std::mt19937 random(seed);
+  std::mt19937_64 random = tws::seededGenerator();
   for (int trial = 0; trial < 300; ++trial) {
     std::vector<Message> sent = run(0, 120);
     std::vector<Message> received(sent.begin(), sent.begin() + 2);
