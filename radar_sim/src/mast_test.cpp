@@ -7,29 +7,29 @@
 namespace radar_sim {
 namespace {
 
-constexpr double kStart = 1000.0;
+constexpr double kRunStart = 1000.0;
 
 // A plot with the time of the mark, or later, would belong to the next sector.
 TEST(Mast, KeepsAStampInItsSectorAndBeforeTheMark) {
-  Mast mast(6.0, 0.0, 0.008, kStart);
+  Mast mast(6.0, 0.0, 0.008, kRunStart);
   const SectorSpan sector = mast.closeSector();
   EXPECT_EQ(sector.running, 0);
-  EXPECT_EQ(sector.enter_time, kStart);
+  EXPECT_EQ(sector.enter_time, kRunStart);
   EXPECT_NEAR(sector.leave_time, 1000.088, 1e-9);  // 6 s / 64 = 93.75 ms, the last tick gone by
   EXPECT_NEAR(mast.stampWithin(sector, 1000.0501), 1000.048, 1e-9);
   EXPECT_NEAR(mast.stampWithin(sector, 1000.0936), 1000.080, 1e-9);
-  EXPECT_EQ(mast.stampWithin(sector, 999.0), kStart);
+  EXPECT_EQ(mast.stampWithin(sector, 999.0), kRunStart);
 }
 
 TEST(Mast, WithoutTicksTellsTheTimeItself) {
-  Mast mast(6.0, 0.0, 0.0, kStart);
+  Mast mast(6.0, 0.0, 0.0, kRunStart);
   const SectorSpan sector = mast.closeSector();
   EXPECT_NEAR(sector.leave_time, 1000.09375, 1e-9);
   EXPECT_EQ(mast.stampWithin(sector, 1000.0501), 1000.0501);
 }
 
 TEST(Mast, KnowsItsPeriodFromTheFirstFullTurnOn) {
-  const Mast mast(4.0, 0.0, 0.008, kStart);
+  const Mast mast(4.0, 0.0, 0.008, kRunStart);
   EXPECT_TRUE(std::isnan(mast.rotationPeriod(64)));
   EXPECT_NEAR(mast.rotationPeriod(65), 4.0, 1e-9);
 }

@@ -13,7 +13,7 @@
 
 namespace {
 
-struct Options {
+struct FilterOptions {
   tws::AxisFilterParams filter;
   tws::AxisNoise noise;
   std::string in, out;
@@ -35,7 +35,7 @@ std::string quoted(const std::string& text) {
 
 class Run {
  public:
-  Run(const Options& options, std::istream& in, std::ostream& out)
+  Run(const FilterOptions& options, std::istream& in, std::ostream& out)
       : filter_(options.filter), noise_(options.noise), table_(in, options.in), out_(out) {
     out_ << std::setprecision(12) << "series,t_s,position,velocity,acceleration,predicted\n";
   }
@@ -89,7 +89,7 @@ class Run {
   std::map<std::string, Series> series_;
 };
 
-void run(const Options& options) {
+void filterFile(const FilterOptions& options) {
   const std::unique_ptr<std::istream> in = tws::openText(options.in);
   tws::OutputFile out(options.out, {options.in});
   Run(options, *in, out.stream()).go();
@@ -100,7 +100,7 @@ void run(const Options& options) {
 
 int main(int argc, char** argv) {
   return tws_runtime::guarded("filter_csv", [&] {
-    Options options;
+    FilterOptions options;
     CLI::App app(
         "Filters series of measured positions (a CSV file with the columns series,t_s,measured) by one of the filters "
         "of tws_core, each series for itself. Out come series,t_s,position,velocity,acceleration,predicted.",
@@ -120,7 +120,7 @@ int main(int argc, char** argv) {
     app.add_option("--manoeuvre", options.noise.acceleration, "of the acceleration")->check(CLI::PositiveNumber);
     app.add_option("--speed", options.noise.velocity, "of the velocity at the start")->check(CLI::PositiveNumber);
     if (const auto status = tws_runtime::parseCommandLine(app, argc, argv)) return *status;
-    run(options);
+    filterFile(options);
     return 0;
   });
 }

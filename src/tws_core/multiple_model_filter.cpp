@@ -67,7 +67,7 @@ struct Fit {
 };
 
 /// Kalman update with a position.
-Fit correct(PlanarMotion& s, const PlanarPosition& z) {
+Fit correctModel(PlanarMotion& s, const PlanarPosition& z) {
   const Symmetric2 S{s.position.xx + z.covariance.xx, s.position.xy + z.covariance.xy, s.position.yy + z.covariance.yy};
   const double inverse = 1.0 / S.determinant();
   const Symmetric2 W{S.yy * inverse, -S.xy * inverse, S.xx * inverse};
@@ -239,7 +239,7 @@ double MultipleModelFilter::update(const PlanarPosition& z, double dt, const Mul
     for (PlanarMotion& s : state_) addManoeuvre(s, dt, params.manoeuvre_acceleration);
   }
   std::array<Fit, kModels> fit{};
-  for (std::size_t i = 0; i < kModels; ++i) fit[i] = correct(state_[i], z);
+  for (std::size_t i = 0; i < kModels; ++i) fit[i] = correctModel(state_[i], z);
   // All against the best fit, or a measurement far from every model would give 0 / 0.
   const double least = std::min({fit[0].squared_distance, fit[1].squared_distance, fit[2].squared_distance});
   double sum = 0.0;

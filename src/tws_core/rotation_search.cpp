@@ -11,7 +11,7 @@
 namespace tws {
 namespace {
 
-using Plots = std::vector<TimedAzimuth>;
+using TimedPlots = std::vector<TimedAzimuth>;
 using Windows = std::vector<PlotWindow>;
 
 constexpr double kShortestPeriod = 0.19;  // [s] a little beyond 0.2..120 s, so that both ends are found
@@ -23,7 +23,7 @@ constexpr double kLeastCoherence = 0.5;
 
 [[noreturn]] void refuse(const std::ostringstream& reason) { throw std::invalid_argument("Rotation: " + reason.str()); }
 
-double spanOf(const Plots& plots) { return plots.back().time - plots.front().time; }
+double durationOf(const TimedPlots& plots) { return plots.back().time - plots.front().time; }
 
 double pairsOf(const Windows& windows) {
   double pairs = 0.0;
@@ -62,12 +62,12 @@ CoherencePeak refine(const Windows& windows, double low, double high) {
 }
 
 // Up to six windows, spread over the plots.
-Windows windowsOf(const Plots& plots, double duration) {
+Windows windowsOf(const TimedPlots& plots, double duration) {
   const TimedAzimuth* const first = plots.data();
   const TimedAzimuth* const last = first + plots.size();
   const double latest_start = plots.back().time - duration;
   const auto starts = static_cast<std::size_t>(firstNotBefore(first, last, latest_start) - first);
-  const auto wanted = static_cast<std::size_t>(std::clamp(spanOf(plots) / duration, 1.0, 6.0));
+  const auto wanted = static_cast<std::size_t>(std::clamp(durationOf(plots) / duration, 1.0, 6.0));
   Windows windows;
   for (std::size_t i = 0; i < wanted; ++i) {
     const TimedAzimuth* const start = first + (wanted == 1 ? 0 : starts * i / (wanted - 1));
@@ -77,8 +77,8 @@ Windows windowsOf(const Plots& plots, double duration) {
 }
 
 // Windows short enough that drift does no harm and long enough for 60 plots, so that chance finds no coherence.
-double windowDuration(const Plots& plots, double longest_period) {
-  const double span = spanOf(plots);
+double windowDuration(const TimedPlots& plots, double longest_period) {
+  const double span = durationOf(plots);
   const double sparse = 60.0 * seenSpan(plots, longest_period) / static_cast<double>(plots.size());
   return std::min(span, std::clamp(sparse, 8.0 * longest_period, 200.0 * longest_period));
 }
@@ -98,7 +98,7 @@ CoherencePeak bestNear(const Windows& windows, double frequency, double toleranc
 // The local maxima of a band of frequencies; each is 1/duration wide on either side.
 class Band {
  public:
-  Band(const Plots& plots, double low, double high)
+  Band(const TimedPlots& plots, double low, double high)
       : duration_(windowDuration(plots, 1.0 / low)), windows_(windowsOf(plots, duration_)), pairs_(pairsOf(windows_)) {
     for (double frequency = low - step(); frequency < high + 2.0 * step(); frequency += step()) {
       grid_.push_back({frequency, coherenceOf(windows_, frequency)});
@@ -135,9 +135,9 @@ class Band {
   std::vector<CoherencePeak> grid_;
 };
 
-std::vector<CoherencePeak> peaksOfAllBands(const Plots& plots) {
+std::vector<CoherencePeak> peaksOfAllBands(const TimedPlots& plots) {
   std::vector<CoherencePeak> peaks;
-  const double longest = std::min(kLongestPeriod, spanOf(plots) / kLeastTurns);
+  const double longest = std::min(kLongestPeriod, durationOf(plots) / kLeastTurns);
   for (double period = longest; period > kShortestPeriod; period /= 2.0) {
     const Band band(plots, 1.0 / period, 1.0 / std::max(kShortestPeriod, period / 2.0));
     const std::vector<CoherencePeak> found = band.peaks();
@@ -166,17 +166,17 @@ double fundamentalOf(const std::vector<CoherencePeak>& peaks) {
   return frequency;
 }
 
-void checkNumber(const Plots& plots, std::size_t least) {
+void checkNumber(const TimedPlots& plots, std::size_t least) {
   if (plots.size() >= least) return;
   std::ostringstream reason;
   reason << plots.size() << " plots are too few to find the rotation: it takes at least " << least;
   refuse(reason);
 }
 
-void checkCoherence(double coherence, const Plots& plots, double shortest, double longest) {
+void checkCoherence(double coherence, const TimedPlots& plots, double shortest, double longest) {
   if (coherence >= kLeastCoherence) return;
   std::ostringstream reason;
-  reason << plots.size() << " plots over " << spanOf(plots) << " s do not lie along a beam that turns clockwise in "
+  reason << plots.size() << " plots over " << durationOf(plots) << " s do not lie along a beam that turns clockwise in "
          << shortest;
   if (longest > shortest) reason << " to " << longest;
   reason << " s";
@@ -226,27 +226,27 @@ CoherencePeak peakNear(const TimedAzimuth* first, const TimedAzimuth* last, doub
   return bestNear(window, frequency, tolerance, span);
 }
 
-double findFrequency(const Plots& plots) {
+double findFrequency(const TimedPlots& plots) {
   checkNumber(plots, kLeastPlots);
-  if (spanOf(plots) < kLeastTurns * kShortestPeriod) {
+  if (durationOf(plots) < kLeastTurns * kShortestPeriod) {
     std::ostringstream reason;
-    reason << "plots over " << spanOf(plots) << " s are too short to find the rotation: it takes three turns";
+    reason << "plots over " << durationOf(plots) << " s are too short to find the rotation: it takes three turns";
     refuse(reason);
   }
   const std::vector<CoherencePeak> peaks = peaksOfAllBands(plots);
   const double coherence = peaks.empty() ? 0.0 : greatestOf(peaks).coherence;
-  checkCoherence(coherence, plots, 0.2, std::min(120.0, spanOf(plots) / kLeastTurns));
+  checkCoherence(coherence, plots, 0.2, std::min(120.0, durationOf(plots) / kLeastTurns));
   return fundamentalOf(peaks);
 }
 
-double findFrequency(const Plots& plots, double period) {
+double findFrequency(const TimedPlots& plots, double period) {
   checkNumber(plots, kLeastPlotsOfKnownPeriod);
-  if (!(spanOf(plots) > 0.0)) throw std::invalid_argument("Rotation: all plots are of one instant");
+  if (!(durationOf(plots) > 0.0)) throw std::invalid_argument("Rotation: all plots are of one instant");
   const double frequency = 1.0 / period;
   const double duration = windowDuration(plots, period);
   const Windows windows = windowsOf(plots, duration);
   CoherencePeak best{frequency, coherenceOf(windows, frequency)};
-  if (spanOf(plots) >= kLeastTurns * period) best = bestNear(windows, frequency, 0.02, duration);
+  if (durationOf(plots) >= kLeastTurns * period) best = bestNear(windows, frequency, 0.02, duration);
   checkCoherence(best.coherence, plots, period, period);
   return best.frequency;
 }

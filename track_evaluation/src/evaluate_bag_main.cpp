@@ -17,7 +17,7 @@ namespace {
 
 using namespace track_evaluation;
 
-struct Options {
+struct BagOptions {
   std::string bag, json, series, picture;
   std::string config, requirements;
   std::vector<std::string> trackers;
@@ -32,7 +32,7 @@ std::string packagePath() {
   return path;
 }
 
-YAML::Node parametersFor(const Options& options, const BagContents& contents) {
+YAML::Node parametersFor(const BagOptions& options, const BagContents& contents) {
   const std::string config = options.config.empty() ? packagePath() + "/config/evaluation.yaml" : options.config;
   const std::string limits =
       options.requirements.empty() ? packagePath() + "/config/requirements.yaml" : options.requirements;
@@ -48,7 +48,7 @@ YAML::Node parametersFor(const Options& options, const BagContents& contents) {
   return tws_runtime::mergeParameters(files, found);
 }
 
-void check(const Options& options, const BagContents& contents, const EvaluationNode& node) {
+void check(const BagOptions& options, const BagContents& contents, const EvaluationNode& node) {
   if (node.epochs() > 0 || node.identifiedPlots() > 0 || options.truth_optional) return;
   if (!contents.truth.empty()) throw std::runtime_error(options.bag + ": no truth in it can be used");
   throw std::runtime_error(options.bag +
@@ -66,7 +66,7 @@ void choose(const std::vector<std::string>& names, BagContents& contents) {
   }
 }
 
-void run(const Options& options) {
+void scoreRun(const BagOptions& options) {
   BagContents contents = inspectBag(options.bag);
   if (!options.trackers.empty()) choose(options.trackers, contents);
   tws_runtime::LocalGraph graph(std::cerr);
@@ -85,7 +85,7 @@ void run(const Options& options) {
   if (!options.quiet) node.writeTable(std::cout);
 }
 
-void addOptions(CLI::App& app, Options& options) {
+void addBagOptions(CLI::App& app, BagOptions& options) {
   app.add_option("bag", options.bag, "a recorded run")->required();
   app.add_option("--json", options.json, "write the metrics into this file");
   app.add_option("--series", options.series, "write the metrics of each epoch into this CSV file");
@@ -101,11 +101,11 @@ void addOptions(CLI::App& app, Options& options) {
 
 int main(int argc, char** argv) {
   return tws_runtime::guarded("evaluate_bag", [&] {
-    Options options;
+    BagOptions options;
     CLI::App app("Scores the trackers in a recorded run.", "evaluate_bag");
-    addOptions(app, options);
+    addBagOptions(app, options);
     if (const auto status = tws_runtime::parseCommandLine(app, argc, argv)) return *status;
-    run(options);
+    scoreRun(options);
     return 0;
   });
 }

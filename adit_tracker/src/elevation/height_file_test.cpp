@@ -11,7 +11,8 @@
 namespace adit_tracker {
 namespace {
 
-tws::Plot plotAt(double time, double range, double height, double error = 0.0, double sigma = tws::radians(0.15)) {
+tws::Plot plotAtHeight(double time, double range, double height, double error = 0.0,
+                       double sigma = tws::radians(0.15)) {
   tws::Plot plot;
   plot.time = time;
   plot.range = range;
@@ -35,7 +36,7 @@ TEST_F(HeightFileTest, ATrackWithoutElevationHasNoHeight) {
 
 // By hand: 0.15° at 100 km and elevation 4.82° (9000 m): 100 km · cos 4.82° · 0.002618 = 260.9 m.
 TEST_F(HeightFileTest, TheFirstElevationGivesTheHeightAndItsError) {
-  file.update(1, plotAt(0.0, 100e3, 9000.0));
+  file.update(1, plotAtHeight(0.0, 100e3, 9000.0));
   const auto height = file.at(1, 0.0);
   ASSERT_TRUE(height);
   EXPECT_NEAR(height->height, 9000.0, 1e-6);
@@ -45,17 +46,17 @@ TEST_F(HeightFileTest, TheFirstElevationGivesTheHeightAndItsError) {
 
 // A plot that does not say its error is taken to have the parameter's; at 100 km 0.2° are 349 m.
 TEST_F(HeightFileTest, WhatThePlotDoesNotSayIsTheParameters) {
-  file.update(1, plotAt(0.0, 100e3, 3000.0, 0.0, tws::Plot::kUnknown));
+  file.update(1, plotAtHeight(0.0, 100e3, 3000.0, 0.0, tws::Plot::kUnknown));
   EXPECT_NEAR(file.at(1, 0.0)->height_sigma, 349.0, 0.5);
 }
 
 // By hand, after 32 s: 260.9² + (10 · 32)² + 0.5 · 32³ / 3 = 419².
 TEST_F(HeightFileTest, TheUncertaintyGrowsBetweenSearchesUntilTheHeightIsNotToldAnyMore) {
-  file.update(1, plotAt(0.0, 100e3, 9000.0));
+  file.update(1, plotAtHeight(0.0, 100e3, 9000.0));
   EXPECT_NEAR(file.at(1, 32.0)->height_sigma, std::sqrt(260.9 * 260.9 + 320.0 * 320.0 + 5461.3), 0.5);
   EXPECT_TRUE(file.at(1, 150.0));
   EXPECT_FALSE(file.at(1, 200.0));  // 10 m/s · 200 s alone are 2000 m
-  file.update(1, plotAt(210.0, 100e3, 9000.0));
+  file.update(1, plotAtHeight(210.0, 100e3, 9000.0));
   EXPECT_TRUE(file.at(1, 210.0));
 }
 
@@ -69,7 +70,7 @@ TEST_F(HeightFileTest, TheStatedErrorIsTheTrueOne) {
     const double climb = 10.0 * normal(generator), start = 6000.0;
     double velocity = climb, height = start;
     for (int search = 0; search < 5; ++search) {
-      file.update(flight, plotAt(32.0 * search, 80e3, height, tws::radians(0.15) * normal(generator)));
+      file.update(flight, plotAtHeight(32.0 * search, 80e3, height, tws::radians(0.15) * normal(generator)));
       for (int step = 0; step < 320; ++step) {  // Brownian climb rate, 0.5 m²/s³
         height += 0.1 * velocity;
         velocity += std::sqrt(0.5 * 0.1) * normal(generator);
@@ -86,23 +87,23 @@ TEST_F(HeightFileTest, TheStatedErrorIsTheTrueOne) {
 
 // A swap to an aircraft 5 km higher must not drag the height along for minutes.
 TEST_F(HeightFileTest, AHeightThatIsFarOffBeginsAnew) {
-  for (int i = 0; i < 4; ++i) file.update(1, plotAt(32.0 * i, 80e3, 4000.0));
-  file.update(1, plotAt(128.0, 80e3, 9000.0));
+  for (int i = 0; i < 4; ++i) file.update(1, plotAtHeight(32.0 * i, 80e3, 4000.0));
+  file.update(1, plotAtHeight(128.0, 80e3, 9000.0));
   EXPECT_NEAR(file.at(1, 128.0)->height, 9000.0, 1e-6);
   EXPECT_DOUBLE_EQ(file.at(1, 128.0)->climb, 0.0);
 }
 
 // Two radars' plots may come in inverse order: time must not run back in the filter.
 TEST_F(HeightFileTest, AnEarlierElevationIsUsedWithoutHarm) {
-  file.update(1, plotAt(10.0, 80e3, 4000.0));
+  file.update(1, plotAtHeight(10.0, 80e3, 4000.0));
   const double before = file.at(1, 10.0)->height_sigma;
-  file.update(1, plotAt(9.0, 80e3, 4000.0));
+  file.update(1, plotAtHeight(9.0, 80e3, 4000.0));
   EXPECT_LT(file.at(1, 10.0)->height_sigma, before);
   EXPECT_NEAR(file.at(1, 10.0)->height, 4000.0, 1e-6);
 }
 
 TEST_F(HeightFileTest, ATrackThatIsGoneHasNoHeightNorHasItsSuccessor) {
-  file.update(1, plotAt(0.0, 80e3, 4000.0));
+  file.update(1, plotAtHeight(0.0, 80e3, 4000.0));
   file.remove(1);
   EXPECT_FALSE(file.at(1, 0.0));
 }
