@@ -1,8 +1,8 @@
-"""Puts C++ files into units that clang-tidy reads as one file each.
+"""Puts C++ files into units that clang-tidy (check_tidy) or the compiler (unity.py) reads as one file each.
 
-Nearly all of its time goes into the headers of the system, so the fewer units the better, whatever package a file belongs to. Files that
-have a helper of the same name cannot stand in one unit. Which names are helpers is read off the text, which clang-format lays out:
-declarations begin in the first column. What that misses the compiler finds.
+Nearly all of clang-tidy's time goes into the headers of the system, so the fewer units the better, whatever package a file belongs to, and
+files that need the same libraries stand together. Files that have a helper of the same name cannot stand in one unit. Which names are
+helpers is read off the text, which clang-format lays out: declarations begin in the first column. What that misses the compiler finds.
 """
 import collections
 import functools
@@ -12,6 +12,7 @@ import re
 import shlex
 
 AT_MOST = 70  # files in a unit, which then needs about 1.5 GB
+DEAR = ("CLI", "ros", "yaml-cpp", "Eigen")  # libraries whose headers take long to read; clang-tidy takes 25 s for CLI's
 WITH_A_VALUE = {"-o", "-c", "-include"}
 # Names in the first column: of a test, a type, and of a function or variable.
 TEST = re.compile(r"(?:\w*TEST\w*|INSTANTIATE_\w+)\((\w+), (\w+)")
@@ -36,12 +37,21 @@ class Source:
                 self.macros.append(word[2:])
             elif word != "-Winvalid-pch" and not word.startswith("-flto"):
                 self.rest.append(word)
-        self.headers = reached(file, tuple(folder for _, folder in self.folders if is_ours(pathlib.Path(folder))))
+        self.ours = tuple(folder for _, folder in self.folders if is_ours(pathlib.Path(folder)))
+        self.headers = reached(file, self.ours)
         self.helpers = names(file, helpers_only=True)
         self.sees = set().union(*(names(header) for header in self.headers))
 
     def is_test(self):
         return self.file.stem.endswith(("_test", "_rostest", "_benchmark")) or "test" in self.file.parts
+
+    def libraries(self):
+        """The folders of others' headers that it needs, CLI of <CLI/CLI.hpp>."""
+        return set().union(*(foreign(file, self.ours) for file in [self.file, *self.headers]))
+
+    def opens_a_namespace(self):
+        """What says "using namespace" says it to all that follows."""
+        return any(line.startswith("using namespace") for line in lines(self.file))
 
     def own_macros(self):
         """Macros with a text, such as the package's name: they may differ from file to file in one unit."""
@@ -81,11 +91,21 @@ def names(file, helpers_only=False):
 
 
 @functools.lru_cache(None)
+def places(file, folders):
+    """(word, path) of what the file includes; no path: it is not of this repository."""
+    words = [found[1] for line in lines(file) for found in [re.match(r'#include [<"](.+)[>"]', line)] if found]
+    return [(word, next((place for place in (pathlib.Path(folder) / word for folder in (file.parent, *folders)) if place.exists()), None))
+            for word in words]
+
+
 def included(file, folders):
     """Headers of this repository that the file names."""
-    words = [found[1] for line in lines(file) for found in [re.match(r'#include [<"](.+)[>"]', line)] if found]
-    places = [[pathlib.Path(folder) / word for folder in (file.parent, *folders)] for word in words]
-    return [next(place for place in tried if place.exists()) for tried in places if any(place.exists() for place in tried)]
+    return [place for _, place in places(file, folders) if place]
+
+
+def foreign(file, folders):
+    """Folders of the headers that it names and that are not of this repository."""
+    return {word.split("/")[0] for word, place in places(file, folders) if not place and "/" in word}
 
 
 def reached(file, folders):
@@ -97,6 +117,21 @@ def reached(file, folders):
     return found
 
 
+def entries(build):
+    """The compile database of a build folder, with an entry for each file of what CMake compiles as one."""
+    found = []
+    for entry in json.loads((build / "compile_commands.json").read_text()):
+        unit = pathlib.Path(entry["file"])
+        members = re.findall(r'^#include "(.+)"$', unit.read_text(), re.MULTILINE) if unit.parent.name == "Unity" else [str(unit)]
+        found += [{**entry, "file": file, "command": entry["command"].replace(str(unit), file)} for file in members]
+    return found
+
+
+def by_libraries(files):
+    """In an order that has those together that need the same libraries."""
+    return sorted(files, key=lambda source: ([name not in source.libraries() for name in DEAR], source.file))
+
+
 def sources(build, root, only=""):
     """The files of this repository that the build folder compiles, none twice."""
     found = {}
@@ -104,12 +139,11 @@ def sources(build, root, only=""):
     def is_ours(path):
         return root in path.parents and build not in path.parents
 
-    for entry in json.loads((build / "compile_commands.json").read_text()):
+    for entry in entries(build):
         file = pathlib.Path(entry["file"])
         if is_ours(file) and only in str(file) and file not in found:
             found[file] = Source(file, shlex.split(entry["command"])[1:], is_ours)
-    # What says "using namespace" says it to all that follows.
-    return sorted(found.values(), key=lambda source: ("\nusing namespace" in "\n".join(lines(source.file)), source.file))
+    return by_libraries(found.values())
 
 
 class Unit:
@@ -144,10 +178,14 @@ class Unit:
         return [kind + folder for folder, kind in {**own, **folders, **own}.items()] + list(dict.fromkeys(words))
 
 
-def units_of_a_kind(files):
+def alike(files):
+    """How many of the files have a helper of a name."""
+    return collections.Counter(name for source in files for name in source.helpers)
+
+
+def units_of_a_kind(files, at_most=AT_MOST):
     """As few units as the files fit in, of about the same size."""
-    alike = collections.Counter(name for source in files for name in source.helpers)
-    count = max(-(-len(files) // AT_MOST), *alike.values(), 1)
+    count = max(-(-len(files) // at_most), *alike(files).values(), 1)
     units = [Unit() for _ in range(count)]
     for source in files:
         free = [unit for unit in units if unit.has_room_for(source)]
@@ -155,6 +193,8 @@ def units_of_a_kind(files):
             free = [Unit()]
             units += free
         next((unit for unit in free if len(unit.members) < len(files) / count), free[0]).add(source)
+    for unit in units:
+        unit.members.sort(key=Source.opens_a_namespace)
     return [unit for unit in units if unit.members]
 
 

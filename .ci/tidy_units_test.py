@@ -62,6 +62,29 @@ class Units(unittest.TestCase):
         self.assertEqual(len(self.units(asks, "-DNODELET", asks="#ifdef NODELET\n#endif\n")), 2)
         self.assertEqual(len(self.units(asks, "-DOTHER", asks="#ifdef NODELET\n#endif\n")), 1)
 
+    def test_files_that_need_the_same_libraries_are_together(self):
+        files = {f"{number:03}.cpp": "#include <CLI/CLI.hpp>\n" if number % 40 == 0 else "#include <cmath>\n" for number in range(200)}
+        with_cli = {name for name in files if int(name[:3]) % 40 == 0}
+        self.assertEqual(sum(1 for unit in self.units(files) if with_cli & set(unit)), 1)
+
+    def test_what_cmake_compiles_as_one_is_read_file_by_file(self):
+        with tempfile.TemporaryDirectory() as folder:
+            root = pathlib.Path(folder).resolve()
+            unit = root / "build" / "Unity" / "unity_0_cxx.cxx"
+            unit.parent.mkdir(parents=True)
+            files = [root / "a.cpp", root / "b.cpp"]
+            for file in files:
+                file.write_text("")
+            unit.write_text("/* by CMake */\n" + "".join(f'#include "{file}"\n\n' for file in files))
+            entry = {"directory": folder, "command": f"c++ -DX -o u.o -c {unit}", "file": str(unit)}
+            (root / "build" / "compile_commands.json").write_text(json.dumps([entry]))
+            self.assertEqual([source.file for source in tidy_units.sources(root / "build", root)], files)
+            self.assertEqual(tidy_units.entries(root / "build")[1]["command"], f"c++ -DX -o u.o -c {files[1]}")
+
+    def test_who_opens_a_namespace_is_the_last_of_a_unit(self):
+        self.units({"a.cpp": "using namespace p;\n", "b.cpp": "", "c.cpp": ""})
+        self.assertEqual([source.file.name for source in self.made[0].members], ["b.cpp", "c.cpp", "a.cpp"])
+
     def test_no_unit_is_much_longer_than_others_and_no_file_is_lost(self):
         files = {f"{number:03}.cpp": helper("int f() {\n") if number % 50 == 0 else "" for number in range(150)}
         units = self.units(files)

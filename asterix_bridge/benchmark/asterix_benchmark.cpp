@@ -11,7 +11,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "conversions.h"
+#include "../src/conversions.h"  // radar_sim has one, too
 #include "radar_feed.h"
 
 namespace asterix_bridge {
