@@ -50,7 +50,8 @@ TEST(SnapshotFeed, GivesEachInstantAllSectorsAndEachPlotItsOwn) {
   std::size_t plots = 0;
   for (int running = 0; running < 3 * tws::kSectors; ++running) {
     ASSERT_TRUE(feed.nextTime());
-    const double instant = 6.0 * (running / tws::kSectors + 1);
+    const int scan = running / tws::kSectors;
+    const double instant = 6.0 * (scan + 1);
     EXPECT_LE(*feed.nextTime(), instant + 1e-9);
     const tws::RadarSector sector = feed.take();
     EXPECT_EQ(sector.running, running);

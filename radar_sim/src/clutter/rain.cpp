@@ -19,7 +19,7 @@ double cnrOfOneMillimetre(const RadarParams& radar, double range, double top) {
   double sum = 0.0;
   for (int layer = 0; layer < kLayers; ++layer) {
     const double height = (layer + 0.5) * thickness;
-    if (height < range)
+    if (std::abs(height - radar.antenna_height) < range)
       sum += meanSnr(radar, rainReflectivity(kMillimetrePerHour, radar.wavelength) * volume, range, height);
   }
   return sum;
