@@ -194,6 +194,10 @@ void SecondaryTracker::removeDropped() {
 
 /// All tracks that could want these plots have had their turn.
 void SecondaryTracker::startTracks(Stored& stored, std::vector<SecondaryUpdate>& updates) {
+  if (stored.used.size() > kMostPlots) {
+    counts_.crowded_plots += static_cast<std::uint64_t>(std::count(stored.used.begin(), stored.used.end(), false));
+    return;
+  }
   for (std::size_t p = 0; p < stored.used.size(); ++p) {
     if (stored.used[p]) continue;
     stored.used[p] = true;

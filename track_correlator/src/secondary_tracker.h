@@ -32,6 +32,7 @@ struct SecondaryCounts {
   std::uint64_t plots = 0;           ///< Taken in.
   std::uint64_t mended_codes = 0;    ///< Garbled mode 3/A codes in whose place the track holds its own.
   std::uint64_t split_plots = 0;     ///< Second plots of one aircraft.
+  std::uint64_t crowded_plots = 0;   ///< In sectors with more than kMostPlots: they started no tracks.
   std::uint64_t lost_sectors = 0;    ///< Never came; taken for empty.
   std::uint64_t late_sectors = 0;    ///< Came twice or too late; left out.
   std::uint64_t dropped_tracks = 0;  ///< Dropped for missing plots, firm ones only.
@@ -45,6 +46,8 @@ struct SecondaryCounts {
 class SecondaryTracker {
  public:
   using OnReport = std::function<void(const SecondaryReport&)>;
+  /// In a sector with more plots than this no track starts: it is a flood. Tracks take from it what is theirs.
+  static constexpr std::size_t kMostPlots = 2000;
 
   /// Throws std::invalid_argument that names the parameter when one is out of range.
   SecondaryTracker(const SecondaryParams& params, OnReport on_report);

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include <tws_core/random_test_helpers.h>
 
 #include "ssr_test_helpers.h"
@@ -161,6 +163,25 @@ TEST(SecondaryTracker, MakesNoSecondTrackOfASplitPlot) {
   ssr.add(sectors);
   EXPECT_EQ(ssr.tracks().size(), 1U);
   EXPECT_EQ(ssr.tracker.counts().split_plots, 7U);
+}
+
+// If this fails, sectors full of jamming take seconds each, for each plot starts a track.
+TEST(SecondaryTracker, AFloodOfPlotsStartsNoTracksAndLosesNone) {
+  std::vector<SecondarySector> sectors = seen({kEastbound}, 8);
+  const auto full =
+      std::find_if(sectors.begin() + 4 * 64, sectors.end(), [](const auto& s) { return !s.plots.empty(); });
+  ASSERT_NE(full, sectors.end());
+  const SecondaryPlot real = full->plots.front();
+  for (int i = 0; i < 20000; ++i) {
+    SecondaryPlot plot = real;
+    plot.range = 20e3 + 5.0 * i;
+    plot.mode_3a.code = static_cast<std::uint16_t>(i % 4096);
+    full->plots.push_back(plot);
+  }
+  SsrListener ssr;
+  ssr.add(sectors);
+  EXPECT_EQ(ssr.tracks().size(), 1U);
+  EXPECT_GE(ssr.tracker.counts().crowded_plots, 19990U);
 }
 
 // If this fails, a feed that stops for a while mixes up the turns.

@@ -55,6 +55,9 @@ class SsrTrackerNode::Impl {
         counts_(bus, {{"plots", &SecondaryCounts::plots},
                       {"mended codes", &SecondaryCounts::mended_codes},
                       {"split plots", &SecondaryCounts::split_plots},
+                      {"crowded plots", &SecondaryCounts::crowded_plots,
+                       "a sector holds more than " + std::to_string(SecondaryTracker::kMostPlots) +
+                           " plots: no track starts there"},
                       {"dropped tracks", &SecondaryCounts::dropped_tracks},
                       {"lost sectors", &SecondaryCounts::lost_sectors, "a running number is missing in " + topic_},
                       {"late sectors", &SecondaryCounts::late_sectors,
