@@ -1,5 +1,6 @@
 #include "clutter/rain.h"
 
+#include <algorithm>
 #include <set>
 
 #include "clutter/clutter_test_helpers.h"
@@ -47,6 +48,17 @@ TEST(Rain, StaysWithinItsCellAndItsOutlineFollows) {
   for (const Echo& echo : echoes) EXPECT_LT((placeOf(echo) - rain.centre).norm(), 2.7 * rain.radius + 2000.0);
   for (const Eigen::Vector2d& point : rain.outlineAt(kTestStart + 100.0))
     EXPECT_NEAR((point - rain.centre - Eigen::Vector2d(1200.0, 500.0)).norm(), rain.radius, 1e-6);
+}
+
+// If it fails, a radar on a mountain sees no rain near by: what lies farther below than the range is no elevation.
+TEST(Rain, IsSeenNearByFromAnAntennaAmidIt) {
+  Rain rain = shower();
+  rain.centre = {1000.0, 0.0};
+  rain.velocity = {0.0, 0.0};
+  ClutterView view = viewOf("sps12");
+  view.params.antenna_height = 3000.0;
+  const auto echoes = ClutterScans(rain, view).next(3);
+  EXPECT_TRUE(std::any_of(echoes.begin(), echoes.end(), [](const Echo& echo) { return echo.range < 2000.0; }));
 }
 
 TEST(Rain, HeavierRainAndAShorterWaveGiveMorePlots) {
