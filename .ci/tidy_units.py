@@ -35,7 +35,7 @@ class Source:
                 self.folders.append(("-I", word[2:]))
             elif word.startswith("-D"):
                 self.macros.append(word[2:])
-            elif word != "-Winvalid-pch" and not word.startswith("-flto"):
+            elif word != "-Winvalid-pch" and not word.startswith(("-flto", "--param")):
                 self.rest.append(word)
         self.ours = tuple(folder for _, folder in self.folders if is_ours(pathlib.Path(folder)))
         self.headers = reached(file, self.ours)
