@@ -25,8 +25,7 @@ void WindowIndex::forEachList(const TrackWindow& window, Visit visit) {
   const int width = (last - first + kAzimuths) % kAzimuths + 1;  // No window is wider than half a turn.
   if (width * (farthest - nearest + 1) > kWide) return visit(wide_);
   for (int i = 0; i < width; ++i)
-    for (int range = nearest; range <= farthest; ++range)
-      visit(cells_[static_cast<std::size_t>((first + i) % kAzimuths * kRanges + range)]);
+    for (int range = nearest; range <= farthest; ++range) visit(cells_[cellAt((first + i) % kAzimuths, range)]);
 }
 
 void WindowIndex::add(const TrackFile& track, const TrackWindow& window) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 #include <vector>
 
 #include <tws_core/plot.h>
@@ -15,7 +16,7 @@ struct TrackFile;
 /// by 11°, each with the tracks whose windows reach into it.
 class WindowIndex {
  public:
-  WindowIndex() : cells_(kRanges * kAzimuths) {}
+  WindowIndex() : cells_(std::size_t{kRanges} * kAzimuths) {}
 
   /// The track stays where it is, and its window as it is, until it is removed.
   void add(const TrackFile& track, const TrackWindow& window);
@@ -25,7 +26,7 @@ class WindowIndex {
   template <class Predicate>
   bool any(const tws::Plot& plot, Predicate predicate) const {
     const auto holds = [&](const TrackFile* track) { return predicate(*track); };
-    const Tracks& cell = cells_[static_cast<std::size_t>(azimuthCell(plot.azimuth) * kRanges + rangeCell(plot.range))];
+    const Tracks& cell = cells_[cellAt(azimuthCell(plot.azimuth), rangeCell(plot.range))];
     return std::any_of(cell.begin(), cell.end(), holds) || std::any_of(wide_.begin(), wide_.end(), holds);
   }
 
@@ -38,6 +39,9 @@ class WindowIndex {
 
   static int rangeCell(double range);
   static int azimuthCell(double azimuth);
+  static std::size_t cellAt(int azimuth, int range) {
+    return static_cast<std::size_t>(azimuth) * kRanges + static_cast<std::size_t>(range);
+  }
   /// Calls visit(tracks) for each list that the window belongs to.
   template <class Visit>
   void forEachList(const TrackWindow& window, Visit visit);
