@@ -14,6 +14,7 @@ import shlex
 AT_MOST = 70  # files in a unit, which then needs about 1.5 GB
 DEAR = ("CLI", "ros", "yaml-cpp", "Eigen")  # libraries whose headers take long to read; clang-tidy takes 25 s for CLI's
 WITH_A_VALUE = {"-o", "-c", "-include"}
+OF_GCC = {"-Winvalid-pch", "-Wno-maybe-uninitialized", "-Wno-subobject-linkage"}  # which clang does not know
 # Names in the first column: of a test, a type, and of a function or variable.
 TEST = re.compile(r"(?:\w*TEST\w*|INSTANTIATE_\w+)\((\w+), (\w+)")
 TYPE = re.compile(r"(?:template <.*> )?(?:(?:struct|class|enum class|enum|union) (\w+)\b(?! *;)|using (\w+) =)")
@@ -35,7 +36,7 @@ class Source:
                 self.folders.append(("-I", word[2:]))
             elif word.startswith("-D"):
                 self.macros.append(word[2:])
-            elif word != "-Winvalid-pch" and not word.startswith(("-flto", "--param")):
+            elif word not in OF_GCC and not word.startswith(("-flto", "--param")):
                 self.rest.append(word)
         self.ours = tuple(folder for _, folder in self.folders if is_ours(pathlib.Path(folder)))
         self.headers = reached(file, self.ours)
