@@ -158,7 +158,7 @@ void RangeRadar::addNoise(AmplitudeProfile& profile) {
 
 // Cross-section of one bin of sea a metre of range: σ0 times its area, times the patch's share, gamma of mean 1.
 double RangeRadar::clutterOn(double patch, double time) const {
-  const SeaClutter& sea = params_.sea_clutter;
+  const GateSeaClutter& sea = params_.sea_clutter;
   const double mean = sea.sigma0 * params_.beamwidth * params_.bin_size;
   if (std::isinf(sea.shape) || mean <= 0.0) return mean;
   const auto epoch = static_cast<std::uint64_t>((time - start_time_) / sea.patch_time);

@@ -8,7 +8,7 @@
 namespace radar_sim {
 
 /// Sea clutter: speckle on patches of slowly changing reflectivity (compound Gaussian, K-distributed amplitude).
-struct SeaClutter {
+struct GateSeaClutter {
   double sigma0 = 0.0;  ///< Mean radar cross-section of a square metre of sea, linear; 0: none.
   double shape =
       std::numeric_limits<double>::infinity();  ///< ν of the gamma distribution of patches; infinite: all alike.
@@ -39,7 +39,7 @@ struct RangeRadarParams {
   // What is there besides targets.
   double noise_rcs = 1e-4;    ///< Mean receiver noise in a bin as a cross-section at noise_range [m²].
   double noise_range = 10e3;  ///< [m]; elsewhere noise grows with the fourth power of range.
-  SeaClutter sea_clutter;
+  GateSeaClutter sea_clutter;
 };
 
 }  // namespace radar_sim

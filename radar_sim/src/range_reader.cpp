@@ -35,7 +35,7 @@ void readGate(ParameterReader& reader, RangeRadarParams& radar) {
   reader.number("latency_s", radar.latency, 0.001, 60.0);
 }
 
-void readSeaClutter(ParameterReader reader, SeaClutter& clutter) {
+void readSeaClutter(ParameterReader reader, GateSeaClutter& clutter) {
   double decibels = -300.0;
   reader.number("sigma0_db", decibels, -100.0, 20.0);
   if (reader.has("sigma0_db")) clutter.sigma0 = std::pow(10.0, decibels / 10.0);
