@@ -6,6 +6,7 @@
 #include <cstddef>
 
 #include <tws_core/angles.h>
+#include <tws_core/instant.h>
 
 namespace tws {
 namespace {
@@ -39,7 +40,7 @@ double changeOfDirections(const Plots& plots) {
   double sum = 0.0, changes = 0.0;
   std::optional<std::complex<double>> before;
   for (auto first = plots.begin(); first != plots.end();) {
-    const auto last = std::find_if(first, plots.end(), [&](const auto& plot) { return plot.time != first->time; });
+    const auto last = endOfInstant(first, plots.end());
     std::complex<double> mean;
     for (auto plot = first; plot != last; ++plot) mean += std::polar(1.0, plot->azimuth);
     mean /= static_cast<double>(last - first);

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include <tws_core/angles.h>
+#include <tws_core/instant.h>
 #include <tws_core/median.h>
 
 namespace adit_tracker {
@@ -31,17 +32,23 @@ struct Scans {
   std::vector<Scan> scans;
 };
 
+Scan nearNorth(std::vector<tws::Plot>::const_iterator first, std::vector<tws::Plot>::const_iterator last) {
+  Scan scan;
+  for (auto plot = first; plot != last && scan.size() < kMostPlots; ++plot) {
+    if (std::abs(tws::wrapPi(plot->azimuth)) > kNorth) continue;
+    const Eigen::Vector2d direction(std::sin(plot->azimuth), std::cos(plot->azimuth));
+    scan.push_back({plot->azimuth / tws::kTwoPi, plot->range * direction});
+  }
+  return scan;
+}
+
 Scans scansOf(const std::vector<tws::Plot>& plots) {
   Scans all;
-  for (const tws::Plot& plot : plots) {
-    if (all.times.empty() || plot.time != all.times.back()) {
-      if (all.times.size() == kMostScans) break;
-      all.times.push_back(plot.time);
-      all.scans.emplace_back();
-    }
-    if (std::abs(tws::wrapPi(plot.azimuth)) > kNorth || all.scans.back().size() == kMostPlots) continue;
-    all.scans.back().push_back(
-        {plot.azimuth / tws::kTwoPi, plot.range * Eigen::Vector2d(std::sin(plot.azimuth), std::cos(plot.azimuth))});
+  for (auto first = plots.begin(); first != plots.end() && all.times.size() < kMostScans;) {
+    const auto last = tws::endOfInstant(first, plots.end());
+    all.times.push_back(first->time);
+    all.scans.push_back(nearNorth(first, last));
+    first = last;
   }
   return all;
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include <tws_core/angles.h>
+#include <tws_core/instant.h>
 #include <tws_core/median.h>
 #include <tws_core/sectors.h>
 #include <tws_core/units.h>
@@ -28,15 +29,13 @@ struct Instants {
 
 Instants instantsOf(const std::vector<tws::Plot>& plots) {
   Instants instants;
-  for (const tws::Plot& plot : plots) {
-    if (instants.times.empty() || plot.time != instants.times.back()) {
-      if (instants.times.size() == kMostInstants) break;
-      instants.times.push_back(plot.time);
-      instants.azimuths.emplace_back();
-    }
-    instants.azimuths.back().push_back(plot.azimuth);
+  for (auto first = plots.begin(); first != plots.end() && instants.times.size() < kMostInstants;) {
+    const auto last = tws::endOfInstant(first, plots.end());
+    instants.times.push_back(first->time);
+    Azimuths& azimuths = instants.azimuths.emplace_back();
+    for (; first != last; ++first) azimuths.push_back(first->azimuth);
+    std::sort(azimuths.begin(), azimuths.end());
   }
-  for (Azimuths& azimuths : instants.azimuths) std::sort(azimuths.begin(), azimuths.end());
   return instants;
 }
 
@@ -110,8 +109,9 @@ void SnapshotFeed::nextInstant() {
   sector_ = 0;
   if (first_ >= plots_.size()) return;
   const double before = instant_;
-  instant_ = plots_[first_].time;
-  while (last_ < plots_.size() && plots_[last_].time == instant_) ++last_;
+  const auto first = plots_.begin() + static_cast<std::ptrdiff_t>(first_);
+  instant_ = first->time;
+  last_ = static_cast<std::size_t>(tws::endOfInstant(first, plots_.end()) - plots_.begin());
   if (!is_first) scan_ += std::max<std::int64_t>(1, std::llround((instant_ - before) / period_));
 }
 
