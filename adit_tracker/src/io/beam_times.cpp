@@ -105,14 +105,16 @@ tws::Rotation learnFrom(const RadarSpec& spec, Plots& plots, const Say& say) {
 }  // namespace
 
 tws::Rotation learnBeam(const RadarSpec& spec, Plots& plots, const Say& say) {
-  const double step = tws::commonStep(pointsOf(plots));
+  if (spec.period > 0.0 && std::isnan(spec.phase)) return learnFrom(spec, plots, say);
+  const Points points = pointsOf(plots);
+  const double step = tws::commonStep(points);
   if (!std::isnan(spec.phase)) {
-    if (tws::scansToAndFro(pointsOf(plots))) throw std::runtime_error(reasonOf("", spec, pointsOf(plots)));
+    if (tws::scansToAndFro(points)) throw std::runtime_error(reasonOf("", spec, points));
     tws::Rotation rotation = tws::Rotation::uniform(spec.period, spec.phase);
     refine(plots, rotation, step, 0.0, say);
     return rotation;
   }
-  if (auto rotation = tws::rotationOfWholeScans(pointsOf(plots)); rotation && spec.period == 0.0) {
+  if (const auto rotation = tws::rotationOfWholeScans(points)) {
     say(sentence("all plots of a scan have one time, each %g s; the beam is taken to point north at it", step));
     refine(plots, *rotation, step, 0.0, say);
     return *rotation;
