@@ -22,17 +22,11 @@ double ductGain(const RadarParams& radar, double range) {
 }  // namespace
 
 std::unique_ptr<Clutter> AnomalousPropagation::seenBy(const ClutterView& view) const {
-  CellModel model;
+  CellModel model = fieldWithin(area, Texture(texture, view.seed, name), steady_share);
   model.profile = [radar = withoutMirror(view.params), duct = *this](double range) {
     if (range <= horizonDistance(radar.antenna_height)) return 0.0;
     const double rcs = duct.reflectivity * surfaceCell(radar, range) * ductGain(radar, range);
     return meanSnr(radar, rcs, range, heightOnTheHorizontal(radar, range)) / duct.suppression;
-  };
-  const Texture field(texture, view.seed, name);
-  model.greatest_factor = field.greatest();
-  model.steady_share = steady_share;
-  model.factor = [border = area, field](const Cell& cell) {
-    return border.contains(cell.place) ? field.at(cell.place, cell.time) : 0.0;
   };
   return std::make_unique<CellClutter>(view, name, std::move(model));
 }

@@ -1,5 +1,6 @@
 #include "clutter/cell_clutter.h"
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -8,13 +9,23 @@
 
 namespace radar_sim {
 
-double rangeCells(const RadarParams& radar) { return std::ceil(radar.max_range / rangeCell(radar)); }
+CellModel fieldWithin(const Area& area, const Texture& field, double steady_share) {
+  CellModel model;
+  model.greatest_factor = field.greatest();
+  model.steady_share = steady_share;
+  model.factor = [area, field](const Cell& cell) {
+    return area.contains(cell.place) ? field.at(cell.place, cell.time) : 0.0;
+  };
+  return model;
+}
 
-double spokes(const RadarParams& radar) { return std::ceil(tws::kTwoPi / radar.azimuth_beamwidth); }
+double rangeCells(const RadarParams& radar) { return std::ceil(radar.max_range / rangeCell(radar)); }
 
 double surfaceCell(const RadarParams& radar, double range) {
   return range * radar.azimuth_beamwidth * rangeCell(radar);
 }
+
+double sineOfGrazing(const RadarParams& radar, double range) { return std::min(radar.antenna_height / range, 1.0); }
 
 RadarParams withoutMirror(RadarParams radar) {
   radar.sea_reflection = 0.0;

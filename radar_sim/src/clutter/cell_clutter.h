@@ -4,7 +4,9 @@
 #include <string>
 #include <vector>
 
+#include "clutter/area.h"
 #include "clutter/clutter.h"
+#include "clutter/texture.h"
 #include "random_stream.h"
 
 namespace radar_sim {
@@ -57,12 +59,16 @@ class CellClutter : public Clutter {
   std::vector<double> profile_;  ///< By range cell, from the first one with clutter on.
 };
 
-/// How many range cells and spokes a radar has.
+/// Clutter that fills an area, its level that of a field; its profile is still to be told.
+CellModel fieldWithin(const Area& area, const Texture& field, double steady_share);
+
+/// How many range cells a radar has.
 double rangeCells(const RadarParams& radar);
-double spokes(const RadarParams& radar);
 
 /// Area of the surface in one cell, R θ cτ/2 [m²].
 double surfaceCell(const RadarParams& radar, double range);
+/// Of the grazing angle at which a radar looks at the surface there.
+double sineOfGrazing(const RadarParams& radar, double range);
 /// The radar without the sea's mirror, which clutter models have in their reflectivities.
 RadarParams withoutMirror(RadarParams radar);
 

@@ -23,7 +23,9 @@ struct EvenRing : ClutterSpec {
   double cnr, steady;
 };
 
-double cellsOfTheRing(const RadarParams& radar) { return spokes(radar) * std::round(10e3 / rangeCell(radar)); }
+double cellsOfTheRing(const RadarParams& radar) {
+  return spokes(radar.azimuth_beamwidth) * std::round(10e3 / rangeCell(radar));
+}
 
 // If it fails, a scenario's rain makes more or fewer plots than the radar equation says.
 TEST(CellClutter, CellsCrossTheThresholdAtTheRateOfTheirMeanPower) {
@@ -42,7 +44,8 @@ TEST(CellClutter, TellsTheExpectedNumberOfCrossings) {
   SpokeFeed feed(Antenna(6.0, 0.0, kTestStart), view.params.azimuth_beamwidth, kTestStart);
   const auto clutter = ring.seenBy(one);
   const Spoke spoke{0, 0, 0.0, view.params.azimuth_beamwidth, kTestStart, 0.03};
-  const double expected = 20 * spokes(view.params) * static_cast<const CellClutter&>(*clutter).expectedCrossings(spoke);
+  const double expected =
+      20 * spokes(view.params.azimuth_beamwidth) * static_cast<const CellClutter&>(*clutter).expectedCrossings(spoke);
   EXPECT_NEAR(static_cast<double>(ClutterScans(ring, view).next(20).size()), expected, poissonBound(expected));
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <memory>
@@ -30,6 +31,9 @@ struct Spoke {
   /// The part of an azimuth [rad]; 1 or more: it lies in another spoke.
   double partOf(double azimuth) const { return tws::wrapTwoPi(azimuth - from) / width; }
 };
+
+/// How many spokes a scan has; `beamwidth` [rad].
+inline double spokes(double beamwidth) { return std::ceil(tws::kTwoPi / beamwidth); }
 
 /// The radar that looks.
 struct ClutterView {

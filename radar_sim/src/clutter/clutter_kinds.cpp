@@ -35,7 +35,7 @@ void checkRadars(const ParameterReader& reader, const ClutterSpec& spec, const S
       reader.fail("radars", "there is no rotating primary radar '" + name + "'");
   }
   for (const RadarParams* radar : radars) {
-    if (spec.isSeenBy(radar->name) && rangeCells(*radar) * spokes(*radar) > kMostCells)
+    if (spec.isSeenBy(radar->name) && rangeCells(*radar) * spokes(radar->azimuth_beamwidth) > kMostCells)
       reader.fail("name", "radar '" + radar->name +
                               "' has more than 2000000 resolution cells, too many for clutter: "
                               "a longer pulse, a wider beam or a shorter max_range_m, or other radars");

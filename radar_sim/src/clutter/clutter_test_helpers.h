@@ -57,7 +57,7 @@ class ClutterScans {
 
 /// The resolution cell of an echo: range cell, spoke.
 inline std::pair<long, long> cellOf(const Echo& echo, const RadarParams& radar) {
-  const double width = tws::kTwoPi / std::ceil(tws::kTwoPi / radar.azimuth_beamwidth);
+  const double width = tws::kTwoPi / spokes(radar.azimuth_beamwidth);
   return {static_cast<long>(echo.range / rangeCell(radar)), static_cast<long>(echo.azimuth / width)};
 }
 

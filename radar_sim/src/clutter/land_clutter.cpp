@@ -1,7 +1,6 @@
 #include "clutter/land_clutter.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "clutter/cell_clutter.h"
 #include "radar_equation.h"
@@ -9,17 +8,11 @@
 namespace radar_sim {
 
 std::unique_ptr<Clutter> LandClutter::seenBy(const ClutterView& view) const {
-  CellModel model;
+  CellModel model = fieldWithin(area, Texture(texture, view.seed, name), steady_share);
   model.profile = [radar = withoutMirror(view.params), land = *this](double range) {
-    const double sine = std::min(radar.antenna_height / range, 1.0);
     const double height = std::min(land.height, range / 2.0);
-    return meanSnr(radar, land.gamma * sine * surfaceCell(radar, range), range, height) / land.suppression;
-  };
-  const Texture field(texture, view.seed, name);
-  model.greatest_factor = field.greatest();
-  model.steady_share = steady_share;
-  model.factor = [border = area, field](const Cell& cell) {
-    return border.contains(cell.place) ? field.at(cell.place, cell.time) : 0.0;
+    return meanSnr(radar, land.gamma * sineOfGrazing(radar, range) * surfaceCell(radar, range), range, height) /
+           land.suppression;
   };
   return std::make_unique<CellClutter>(view, name, std::move(model));
 }

@@ -45,7 +45,7 @@ TEST(WindFarm, FlashesAsOftenAsTheDwellCatchesABlade) {
   faint.suppression = 1.0;
   faint.rows = faint.columns = 10;
   const ClutterView view = viewOf("sps12");
-  const double dwell = 6.0 / std::ceil(tws::kTwoPi / view.params.azimuth_beamwidth);
+  const double dwell = 6.0 / spokes(view.params.azimuth_beamwidth);
   const double chance = (tws::kTwoPi / 5.0 * dwell + view.params.wavelength / 120.0) / (tws::kPi / 3.0);
   const double flashes = static_cast<double>(ClutterScans(faint, view).next(200).size());
   // A small share of the flashes stays below the threshold, and beats make the number more uneven than Poisson's.

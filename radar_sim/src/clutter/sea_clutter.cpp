@@ -1,6 +1,5 @@
 #include "clutter/sea_clutter.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include <tws_core/units.h>
@@ -12,9 +11,7 @@
 namespace radar_sim {
 namespace {
 
-double grazingAngle(const RadarParams& radar, double range) {
-  return std::asin(std::min(radar.antenna_height / range, 1.0));
-}
+double grazingAngle(const RadarParams& radar, double range) { return std::asin(sineOfGrazing(radar, range)); }
 
 }  // namespace
 

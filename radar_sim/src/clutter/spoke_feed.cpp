@@ -8,7 +8,7 @@ namespace radar_sim {
 SpokeFeed::SpokeFeed(const Antenna& antenna, double beamwidth, double start_time)
     : antenna_(antenna),
       start_time_(start_time),
-      per_scan_(static_cast<std::int64_t>(std::ceil(tws::kTwoPi / beamwidth))),
+      per_scan_(static_cast<std::int64_t>(spokes(beamwidth))),
       next_(static_cast<std::int64_t>(
           std::floor(antenna.angleAt(start_time) * static_cast<double>(per_scan_) / tws::kTwoPi))) {}
 
