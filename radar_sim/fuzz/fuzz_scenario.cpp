@@ -17,10 +17,9 @@ bool areFew(const std::vector<radar_sim::RandomGroup>& groups) {
 }  // namespace
 
 void fuzzing::fuzz(std::string_view input) {
-  static const InputFile kFile;
-  kFile.write(input);
-  readOrComplain(kFile.path(), [] {
-    const radar_sim::Scenario scenario = radar_sim::loadScenario(kFile.path());
+  inputFile().write(input);
+  attempt([] {
+    const radar_sim::Scenario scenario = radar_sim::loadScenario(inputFile().path());
     if (!(scenario.duration > 0.0 && std::isfinite(scenario.endTime()))) found("a scenario without a duration");
     if (areFew(scenario.groups)) try {
         (void)radar_sim::allTargets(scenario);

@@ -18,27 +18,20 @@
 
 namespace {
 
-const fuzzing::InputFile& file() {
-  static const fuzzing::InputFile kFile;
-  return kFile;
-}
-
-template <class Read>
-void attempt(Read read) {
-  fuzzing::readOrComplain(file().path(), read);
-}
+using fuzzing::attempt;
+using fuzzing::inputFile;
 
 /// As programs that look into a bag.
 template <class... M>
 void readAs(const rosbag::MessageInstance& message) try {
   (void)(... || (tws_runtime::messageAs<M>(message) != nullptr));
 } catch (const std::runtime_error& error) {
-  throw std::runtime_error(file().path() + ": " + error.what());
+  throw std::runtime_error(inputFile().path() + ": " + error.what());
 }
 
 void readAll() {
   rosbag::Bag bag;
-  tws_runtime::openBag(bag, file().path());
+  tws_runtime::openBag(bag, inputFile().path());
   for (const rosbag::MessageInstance& message : rosbag::View(bag))
     attempt([&] {
       readAs<tws_msgs::Detections, tws_msgs::SectorMark, tws_msgs::RangeProfile, tws_msgs::Tracks, tf2_msgs::TFMessage,
@@ -54,7 +47,7 @@ void replayAll() {
   node.subscribe<tws_msgs::Detections>("/a/detections", [](const tws_msgs::Detections&) {});
   node.subscribe<tws_msgs::SectorMark>("/a/sector_marks", [](const tws_msgs::SectorMark&) {});
   node.subscribe<tws_msgs::Tracks>("/t/tracks", [](const tws_msgs::Tracks&) {});
-  tws_runtime::BagSource source(graph, file().path());
+  tws_runtime::BagSource source(graph, inputFile().path());
   (void)source.endTime();
   while (const auto time = source.nextTime()) {
     attempt([&] {
@@ -69,10 +62,10 @@ void replayAll() {
 
 void fuzzing::fuzz(std::string_view input) {
   console_bridge::setLogLevel(console_bridge::CONSOLE_BRIDGE_LOG_NONE);
-  file().write(input);
+  inputFile().write(input);
   bool is_whole = false;  // A rosbag::Bag, open or not, takes long to be made: it looks for plugins.
   attempt([&] {
-    tws_runtime::checkBag(file().path());
+    tws_runtime::checkBag(inputFile().path());
     is_whole = true;
   });
   if (!is_whole) return;

@@ -5,17 +5,9 @@
 
 namespace {
 
+using fuzzing::attempt;
+using fuzzing::inputFile;
 using tws_runtime::ParameterReader;
-
-const fuzzing::InputFile& file() {
-  static const fuzzing::InputFile kFile;
-  return kFile;
-}
-
-template <class Read>
-void attempt(Read read) {
-  fuzzing::readOrComplain(file().path(), read);
-}
 
 void readNumbers(ParameterReader& reader) {
   double number = 1.0;
@@ -56,10 +48,10 @@ void readAll(ParameterReader& reader, int depth) {
 }  // namespace
 
 void fuzzing::fuzz(std::string_view input) {
-  file().write(input);
+  inputFile().write(input);
   attempt([] {
-    const YAML::Node tree = tws_runtime::loadParameterFile(file().path());
-    ParameterReader reader(tree, file().path());
+    const YAML::Node tree = tws_runtime::loadParameterFile(inputFile().path());
+    ParameterReader reader(tree, inputFile().path());
     readAll(reader, 2);
     (void)tws_runtime::mergeParameters(tree, tws_runtime::withoutRuntimeKeys(tree));
   });

@@ -31,10 +31,9 @@ bool readRow(tws::CsvTable& table) {
 }  // namespace
 
 void fuzzing::fuzz(std::string_view input) {
-  static const InputFile kFile;
-  kFile.write(input);
+  inputFile().write(input);
   readOrComplain("", [&] {
-    const auto text = tws::openText(kFile.path());
+    const auto text = tws::openText(inputFile().path());
     tws::CsvTable table(*text, kName);
     readOrComplain(kName, [&] { (void)table.require("t_s"); });
     for (std::size_t rows = 0; readRow(table); ++rows)

@@ -39,6 +39,11 @@ void InputFile::write(std::string_view input) const {
     found("the file in memory cannot be written");
 }
 
+const InputFile& inputFile() {
+  static const InputFile kFile;
+  return kFile;
+}
+
 void found(const std::string& what) {
   std::fprintf(stderr, "fuzzing: %s\n", what.c_str());
   std::abort();

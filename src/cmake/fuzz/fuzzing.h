@@ -22,6 +22,9 @@ class InputFile {
   std::string path_;
 };
 
+/// The one of this program.
+const InputFile& inputFile();
+
 /// Ends the program, for libFuzzer to keep the input.
 [[noreturn]] void found(const std::string& what);
 
@@ -35,6 +38,12 @@ void readOrComplain(const std::string& name, Read read) {
     if (said.rfind(name, 0) != 0) found("the complaint does not name " + name + ": " + said);
     if (said.find('\n') != std::string::npos) found("the complaint has several lines: " + said);
   }
+}
+
+/// The same of what reads inputFile().
+template <class Read>
+void attempt(Read read) {
+  readOrComplain(inputFile().path(), read);
 }
 
 }  // namespace fuzzing
