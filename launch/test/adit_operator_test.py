@@ -3,7 +3,6 @@
 header.seq."""
 import math
 import pathlib
-import subprocess
 import tempfile
 import time
 import unittest
@@ -14,7 +13,7 @@ import rosunit
 from tws_msgs.msg import OperatorRequest, Tracks
 from tws_msgs.srv import DropTrack, InitiateTrack, InitiateTrackRequest, OperatorCommand, OperatorCommandRequest
 
-from whole_graph_test import command, late, offline, tracks
+from whole_graph_test import command, late, launch, launch_beside, offline, tracks
 
 DURATION = 60  # of data time [s]
 NAN = float("nan")
@@ -70,15 +69,7 @@ class OperatorTest(unittest.TestCase):
         rospy.init_node("adit_operator_test", disable_rostime=True)
         cls.folder = pathlib.Path(tempfile.mkdtemp(prefix="operator_"))
         cls.live = cls.folder / "live.bag"
-        run = subprocess.Popen(["roslaunch", "--no-summary", "tws_launch", "run.launch", f"record:={cls.live}", "rviz:=false",
-                                "scenario:=adit_nominal", "rate:=5", f"duration:={DURATION}"],
-                               stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-        try:
-            cls.done = Operator().work()
-            run.wait(120)
-        finally:
-            run.terminate()
-            run.wait()
+        cls.done = launch_beside(lambda: Operator().work(), cls.live, rate=5, scenario="adit_nominal", duration=DURATION)
 
     @classmethod
     def tearDownClass(cls):
@@ -125,9 +116,7 @@ class OperatorTest(unittest.TestCase):
         self.assertEqual(asked[0], asked[1])
 
     def test_a_replay_repeats_what_the_operator_did(self):
-        bag = self.folder / "replay.bag"
-        command("roslaunch", "--no-summary", "tws_launch", "replay.launch", f"bag:={self.live}", f"record:={bag}", "rviz:=false", "rate:=5")
-        self.check_same(bag)
+        self.check_same(launch("replay.launch", self.folder / "replay.bag", rate=5, bag=self.live))
 
     def test_an_offline_run_of_the_bag_repeats_what_the_operator_did(self):
         self.check_same(offline(self.live, self.folder / "offline"))

@@ -4,7 +4,6 @@ the next run, in replays too. The figures in adit_tracker/doc/operators.md rest 
 import collections
 import math
 import pathlib
-import subprocess
 import tempfile
 import unittest
 
@@ -15,7 +14,7 @@ from tws_msgs.msg import OperatorRequest, Track, TruthTarget
 from tws_msgs.srv import LoadClutterMap, SaveClutterMap
 
 from adit_operator_test import Operator
-from whole_graph_test import command, late, offline, tracks
+from whole_graph_test import command, late, launch, launch_beside, offline, tracks
 
 SCENARIO = "clutter_comes_and_goes"
 COMES, GOES = 100.0, 240.0  # the fleet [s]
@@ -79,26 +78,23 @@ class ClutterTest(unittest.TestCase):
         cls.folder = pathlib.Path(tempfile.mkdtemp(prefix="clutter_"))
         cls.live, cls.saved, cls.given = (cls.folder / name for name in ("live.bag", "saved.csv", "given.csv"))
         choice = f"adit: {{clutter_map_folder: {cls.folder}}}"
+        cls.scenario = pathlib.Path(__file__).parent.parent / "scenarios" / f"{SCENARIO}.yaml"
+        cls.save_answer, cls.load_answer = launch_beside(cls.work, cls.live, rate=5, scenario=SCENARIO, duration=85,
+                                                         trackers=f"{{{choice}}}")
+        cls.bare = Run(offline(cls.scenario, cls.folder / "bare"))
+
+    @classmethod
+    def work(cls):
         cls.given.write_text("radar,range_m,az_deg\n# where the aircraft north flies when this is loaded\n" +
                              "".join(f"*,{slant_range},{azimuth}\n" for slant_range, azimuth in map(north, range(60, 95))))
-        cls.scenario = pathlib.Path(__file__).parent.parent / "scenarios" / f"{SCENARIO}.yaml"
-        run = subprocess.Popen(["roslaunch", "--no-summary", "tws_launch", "run.launch", f"record:={cls.live}", "rviz:=false",
-                                f"scenario:={SCENARIO}", "rate:=5", "duration:=85", f"trackers:={{{choice}}}"],
-                               stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-        try:
-            operator = Operator()
-            operator.wait(65)
-            cls.save_answer = rospy.ServiceProxy("/adit/save_clutter_map", SaveClutterMap)(cls.saved.name)
-            for _ in range(50):  # asks again when the tracker is busy
-                cls.load_answer = rospy.ServiceProxy("/adit/load_clutter_map", LoadClutterMap)(cls.given.name)
-                if not cls.load_answer.message.startswith("busy"):
-                    break
-            cls.given.unlink()
-            run.wait(120)
-        finally:
-            run.terminate()
-            run.wait()
-        cls.bare = Run(offline(cls.scenario, cls.folder / "bare"))
+        Operator().wait(65)
+        saved = rospy.ServiceProxy("/adit/save_clutter_map", SaveClutterMap)(cls.saved.name)
+        for _ in range(50):  # asks again when the tracker is busy
+            loaded = rospy.ServiceProxy("/adit/load_clutter_map", LoadClutterMap)(cls.given.name)
+            if not loaded.message.startswith("busy"):
+                break
+        cls.given.unlink()
+        return saved, loaded
 
     @classmethod
     def tearDownClass(cls):
@@ -174,9 +170,7 @@ class ClutterTest(unittest.TestCase):
         self.assertEqual([len(m.clutter) for m in loads], [35])
         lives, bare = tracks(self.live), tracks(self.folder / "bare" / "run.bag")
         self.assertTrue(lives != bare[:len(lives)], "what was loaded changed nothing")
-        replay = self.folder / "replay.bag"
-        command("roslaunch", "--no-summary", "tws_launch", "replay.launch", f"bag:={self.live}", f"record:={replay}", "rviz:=false",
-                "rate:=5")
+        replay = launch("replay.launch", self.folder / "replay.bag", rate=5, bag=self.live)
         for bag in (replay, offline(self.live, self.folder / "offline")):
             for recorded in (self.live, bag):
                 self.assertEqual(late(recorded), {}, "this machine was too slow for the comparison")

@@ -3,7 +3,6 @@
 with the truth. A live run, its replay and offline runs give the same, byte by byte but for header.seq."""
 import math
 import pathlib
-import subprocess
 import tempfile
 import unittest
 
@@ -14,7 +13,7 @@ import yaml
 from tws_msgs.msg import ElevationRequests, OperatorRequest
 
 from adit_operator_test import Operator
-from whole_graph_test import command, late, offline, tracks
+from whole_graph_test import command, late, launch, launch_beside, offline, tracks
 
 DURATION = 115  # of data time [s]
 DESIGNATED = 11
@@ -22,10 +21,6 @@ EARTH = 6371e3  # [m]
 END = 100  # Messages at the end of a live run that may be missing: five seconds of data time, half a second of a busy machine.
 ANTENNA = 25.0  # of the first radar, from which heights are told [m]
 TOPICS = ["/adit/tracks", "/sps39/elevation_requests", "/sps39/detections"]
-
-
-def run_launch(bag, *arguments):
-    return ["roslaunch", "--no-summary", "tws_launch", "run.launch", f"record:={bag}", "rviz:=false", *arguments]
 
 
 def messages(bag, topic):
@@ -65,14 +60,7 @@ class ElevationTest(unittest.TestCase):
         rospy.init_node("elevation_test", disable_rostime=True)
         cls.folder = pathlib.Path(tempfile.mkdtemp(prefix="elevation_"))
         cls.live = cls.folder / "live.bag"
-        run = subprocess.Popen(run_launch(cls.live, "scenario:=elevation_search", "rate:=8", f"duration:={DURATION}"),
-                               stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-        try:
-            cls.designated = Designator().work()
-            run.wait(120)
-        finally:
-            run.terminate()
-            run.wait()
+        cls.designated = launch_beside(lambda: Designator().work(), cls.live, rate=8, scenario="elevation_search", duration=DURATION)
         cls.lists = messages(cls.live, "/sps39/elevation_requests")
         cls.updates = [update for m in messages(cls.live, "/adit/tracks") for update in m.tracks]
 
@@ -132,22 +120,19 @@ class ElevationTest(unittest.TestCase):
 
     def test_an_offline_run_and_a_replay_of_the_bag_give_the_same(self):
         self.check_same(self.live, offline(self.live, self.folder / "offline"), TOPICS[:2])
-        bag = self.folder / "replay.bag"
-        command("roslaunch", "--no-summary", "tws_launch", "replay.launch", f"bag:={self.live}", f"record:={bag}", "rviz:=false",
-                "rate:=12")
-        self.check_same(self.live, bag, TOPICS[:2])
+        self.check_same(self.live, launch("replay.launch", self.folder / "replay.bag", rate=12, bag=self.live), TOPICS[:2])
 
     def test_the_closed_loop_gives_the_same_live_and_offline_and_never_more_than_eight_a_scan(self):
         """All of 45 aircraft are designated as soon as they are firm: more than can be searched for on four scans."""
-        launch = pathlib.Path(command("rospack", "find", "tws_launch").strip())
-        scene = yaml.safe_load((launch / "scenarios/elevation_search.yaml").read_text())
+        package = pathlib.Path(command("rospack", "find", "tws_launch").strip())
+        scene = yaml.safe_load((package / "scenarios/elevation_search.yaml").read_text())
         scene["random_aircraft"][0]["count"] = 42
         parameters = yaml.safe_load((pathlib.Path(command("rospack", "find", "adit_tracker").strip()) / "config/default.yaml").read_text())
         parameters["elevation"]["automatic"] = True
         file, params, live = (self.folder / name for name in ("many.yaml", "automatic.yaml", "many.bag"))
         file.write_text(yaml.safe_dump({**scene, "duration_s": 90}))
         params.write_text(yaml.safe_dump(parameters))
-        command(*run_launch(live, f"scenario:={file}", "rate:=10", "duration:=90", f"params:={params}"))
+        launch("run.launch", live, rate=10, scenario=file, duration=90, params=params)
         self.check_same(live, offline(file, self.folder / "many", "--params", params), TOPICS)
         lists = [len(m.requests) for m in messages(live, "/sps39/elevation_requests")]
         self.assertEqual(max(lists), 8)

@@ -14,3 +14,23 @@ def message_bytes(bag, topic="/adit/tracks"):
     """All messages on a topic as bytes, without the first four, which are header.seq."""
     with rosbag.Bag(str(bag)) as opened:
         return [raw[1][4:] for _, raw, _ in opened.read_messages([topic], raw=True)]
+
+
+def late(bag):
+    """The counts in the diagnostics of a live run that tell of messages that came too late for the same result."""
+    counts = {}
+    with rosbag.Bag(str(bag)) as opened:
+        for _, message, _ in opened.read_messages(["/diagnostics"]):
+            for status in message.status:
+                counts.update({f"{status.hardware_id}: {v.key}": int(v.value) for v in status.values if "late" in v.key.split()})
+    return {name: count for name, count in counts.items() if count}
+
+
+def in_time(record, rate):
+    """The bag that record(rate) gives; at half the rate, then a quarter, while messages came late. A node waits half a second of data time
+    for what belongs together: at ten times the speed a twentieth of a second, in which a busy machine may not run a node at all."""
+    for slower in (1, 2, 4):
+        bag = record(rate / slower)
+        if not late(bag):
+            break
+    return bag

@@ -3,7 +3,6 @@
 header.seq."""
 import pathlib
 import tempfile
-import threading
 import time
 import unittest
 
@@ -13,18 +12,17 @@ import rosunit
 from geometry_msgs.msg import PointStamped
 from tws_msgs.msg import OperatorRequest, Tracks
 from tws_msgs.srv import DropTrack
-from whole_graph_test import command, late, launch, offline, tracks
+from whole_graph_test import command, late, launch, launch_beside, offline, tracks
 
 DURATION = 30  # of data time [s]
 
 
-class Operator(threading.Thread):
+class Operator:
     """Sets the designation marker after two turns and cancels a track after three."""
 
     def __init__(self):
-        super().__init__(daemon=True)
         self.point = rospy.Publisher("/clicked_point", PointStamped, queue_size=10)
-        self.first, self.flown, self.number, self.answer = None, 0.0, None, None
+        self.first, self.flown, self.number = None, 0.0, None
         rospy.Subscriber("/tws/tracks", Tracks, self.hear)
 
     def hear(self, message):
@@ -34,7 +32,7 @@ class Operator(threading.Thread):
             if track.state != track.DROPPED:
                 self.number = track.number
 
-    def run(self):
+    def work(self):
         self.wait_for(lambda: self.flown > 12.0 and self.point.get_num_connections() > 0)
         for x, y in ((30e3, 40e3), (-60e3, 10e3)):
             marker = PointStamped()
@@ -42,7 +40,7 @@ class Operator(threading.Thread):
             marker.point.x, marker.point.y = x, y
             self.point.publish(marker)
         self.wait_for(lambda: self.flown > 18.0)
-        self.answer = rospy.ServiceProxy("/tws/drop_track", DropTrack)([self.number])
+        return rospy.ServiceProxy("/tws/drop_track", DropTrack)([self.number])
 
     @staticmethod
     def wait_for(condition):
@@ -56,11 +54,8 @@ class OperatorTest(unittest.TestCase):
     def setUpClass(cls):
         rospy.init_node("operator_test")
         cls.folder = pathlib.Path(tempfile.mkdtemp(prefix="operator_"))
-        operator = Operator()
-        operator.start()
-        cls.live = launch("run.launch", cls.folder / "live.bag", scenario="full", rate=5, duration=DURATION)
-        operator.join(10.0)
-        cls.answer = operator.answer
+        cls.live = cls.folder / "live.bag"
+        cls.answer = launch_beside(lambda: Operator().work(), cls.live, rate=5, scenario="full", duration=DURATION)
 
     @classmethod
     def tearDownClass(cls):

@@ -8,15 +8,9 @@ import unittest
 import rosbag
 import rosunit
 
-from whole_graph_test import RADARS, command, late, offline, tracks
+from whole_graph_test import RADARS, command, late, launch, offline, tracks
 
 DURATION = 40  # of data time [s]
-
-
-def launch(file, record, **arguments):
-    command("roslaunch", "--no-summary", "tws_launch", file, f"record:={record}", "rviz:=false",
-            *(f"{name}:={value}" for name, value in arguments.items()))
-    return record
 
 
 class TwoSitesTest(unittest.TestCase):

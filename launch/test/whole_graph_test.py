@@ -14,6 +14,7 @@ import rospy
 import rosunit
 import yaml
 
+from graph_test_kit import in_time, late
 from graph_test_kit import message_bytes as tracks
 
 SCENARIO = "full"
@@ -34,24 +35,41 @@ def command(*words):
     return done.stdout
 
 
-def launch(file, record, **arguments):
-    command("roslaunch", "--no-summary", "tws_launch", file, f"record:={record}", "rviz:=false",
-            *(f"{name}:={value}" for name, value in arguments.items()))
-    return record
+def launch_line(file, record, **arguments):
+    return ["roslaunch", "--no-summary", "tws_launch", file, f"record:={record}", "rviz:=false",
+            *(f"{name}:={value}" for name, value in arguments.items())]
+
+
+def launch(file, record, rate, **arguments):
+    """A run or a replay, slower where this machine is too busy for the rate."""
+    def at(rate):
+        command(*launch_line(file, record, rate=rate, **arguments))
+        return record
+    return in_time(at, rate)
+
+
+def launch_beside(work, record, rate, **arguments):
+    """A run in which somebody works: what work() gave."""
+    answers = []
+
+    def at(rate):
+        run = subprocess.Popen(launch_line("run.launch", record, rate=rate, **arguments), stdout=subprocess.DEVNULL,
+                               stderr=subprocess.DEVNULL)
+        try:
+            answers.append(work())
+            run.wait(120)
+        finally:
+            run.terminate()
+            run.wait()
+        return record
+
+    in_time(at, rate)
+    return answers[-1]
 
 
 def offline(source, folder, *options):
     command("rosrun", "tws_launch", "tws_offline", source, "--out", folder, *options)
     return folder / "run.bag"
-
-
-def late(bag):
-    """The counts in the diagnostics of a live run that tell of messages that came too late for the same result."""
-    counts = {}
-    for _, message, _ in rosbag.Bag(str(bag)).read_messages(["/diagnostics"]):
-        for status in message.status:
-            counts.update({f"{status.hardware_id}: {v.key}": int(v.value) for v in status.values if "late" in v.key.split()})
-    return {name: count for name, count in counts.items() if count}
 
 
 def publications(bag):
@@ -133,9 +151,7 @@ class WholeGraphTest(unittest.TestCase):
 
     def test_tracks_that_a_scenario_feeds_are_correlated_alike_live_and_offline(self):
         file = f"{command('rospack', 'find', 'tws_launch').strip()}/scenarios/bel_three_targets.yaml"
-        live = self.folder / "fed.bag"
-        command("roslaunch", "--no-summary", "tws_launch", "run.launch", "scenario:=bel_three_targets", "rviz:=false", "rate:=10",
-                "duration:=30", f"record:={live}")
+        live = launch("run.launch", self.folder / "fed.bag", scenario="bel_three_targets", rate=10, duration=30)
         bags = {"offline": offline(file, self.folder / "fed_offline", "--duration", 30),
                 "offline from the bag": offline(live, self.folder / "fed_again")}
         for run, bag in bags.items():
