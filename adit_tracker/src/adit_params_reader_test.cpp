@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include <fstream>
+#include <tws_core/temporary_folder_test_helpers.h>
 
 namespace adit_tracker {
 namespace {
@@ -214,8 +214,8 @@ TEST(AditParamsReader, AFileThatIsNotThereIsNamed) {
 
 // If this fails, a user has to search a long file for the line that is wrong.
 TEST(AditParamsReader, AMistakeInAFileIsSaidWithItsLine) {
-  const std::string path = testing::TempDir() + "adit_params_reader_test.yaml";
-  std::ofstream(path) << "set: default\ncapacity: 100\ngate_sigma: 4\n";
+  const tws::TemporaryFolder folder;
+  const std::string path = folder.write("params.yaml", "set: default\ncapacity: 100\ngate_sigma: 4\n");
   try {
     loadAditParams(path);
     FAIL() << "taken";

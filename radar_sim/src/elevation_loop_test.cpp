@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 #include <radar_sim/radar_sim_node.h>
+#include <tws_core/temporary_folder_test_helpers.h>
 #include <tws_msgs/Detections.h>
 #include <tws_msgs/SectorMark.h>
 #include <tws_runtime/conversions.h>
@@ -9,7 +10,6 @@
 #include <tws_runtime/run.h>
 
 #include <cmath>
-#include <fstream>
 #include <sstream>
 
 namespace radar_sim {
@@ -32,10 +32,11 @@ class ElevationLoopTest : public testing::Test {
   }
 
   void run(const Answer& answer, int delay = 0) {
-    const std::string file = testing::TempDir() + "elevation_loop.yaml";
-    std::ofstream(file)
-        << "{duration_s: 79, radars: [{name: sps39, type: SPS-39, false_alarms_per_scan: 0}], targets: "
-           "[{name: alpha, range_m: 50000, azimuth_deg: 90, height_m: 5000, speed_mps: 0, rcs_m2: 100}]}";
+    const tws::TemporaryFolder folder;
+    const std::string file =
+        folder.write("scenario.yaml",
+                     "{duration_s: 79, radars: [{name: sps39, type: SPS-39, false_alarms_per_scan: 0}], targets: "
+                     "[{name: alpha, range_m: 50000, azimuth_deg: 90, height_m: 5000, speed_mps: 0, rcs_m2: 100}]}");
     YAML::Node parameters;
     parameters["scenario"] = file;
     tws_runtime::LocalGraph graph(log);

@@ -3,9 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdio>
 #include <fstream>
 
+#include <tws_core/temporary_folder_test_helpers.h>
 #include <tws_core/units.h>
 
 namespace radar_sim {
@@ -101,9 +101,6 @@ TEST(RecordedTrajectory, NeedsTwoFixes) {
 
 class RecordingFile : public ::testing::Test {
  protected:
-  void SetUp() override { path_ = ::testing::TempDir() + "radar_sim_recording_test.csv"; }
-  void TearDown() override { std::remove(path_.c_str()); }
-
   /// What readRecording says of a file with this content; empty: nothing.
   std::string complaint(const std::string& content) {
     std::ofstream(path_) << content;
@@ -116,7 +113,8 @@ class RecordingFile : public ::testing::Test {
       return what.substr(path_.size());
     }
   }
-  std::string path_;
+  const tws::TemporaryFolder folder_;
+  const std::string path_ = folder_.file("recording.csv");
 };
 
 TEST_F(RecordingFile, IsReadWithDosLineEndsToo) {

@@ -2,10 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdio>
 #include <fstream>
 #include <string>
 
+#include <tws_core/temporary_folder_test_helpers.h>
 #include <tws_runtime/parameters.h>
 
 #include "scenario.h"
@@ -15,9 +15,6 @@ namespace radar_sim {
 /// Writes what a test wants to a scenario file of its own, and loads it.
 class ScenarioFile : public ::testing::Test {
  protected:
-  void SetUp() override { path_ = ::testing::TempDir() + "radar_sim_scenario_test.yaml"; }
-  void TearDown() override { std::remove(path_.c_str()); }
-
   Scenario load(const std::string& content) {
     std::ofstream(path_) << content;
     return loadScenario(path_);
@@ -41,7 +38,8 @@ class ScenarioFile : public ::testing::Test {
     EXPECT_NE(what.find(reason), std::string::npos) << what << "\nexpected: " << reason;
   }
 
-  std::string path_;
+  const tws::TemporaryFolder folder_;
+  const std::string path_ = folder_.file("scenario.yaml");
 };
 
 }  // namespace radar_sim

@@ -2,12 +2,12 @@
 
 #include <gtest/gtest.h>
 #include <radar_sim/radar_sim_node.h>
+#include <tws_core/temporary_folder_test_helpers.h>
 #include <tws_msgs/SectorMark.h>
 #include <tws_runtime/local_graph.h>
 #include <tws_runtime/run.h>
 
 #include <cmath>
-#include <cstdio>
 #include <fstream>
 #include <iostream>
 #include <iterator>
@@ -32,8 +32,6 @@ const std::string kTarget = "targets: [{name: a, east_m: 3000, north_m: 4000, he
 
 class NewKind : public testing::Test {
  protected:
-  void TearDown() override { std::remove(path_.c_str()); }
-
   void run(const std::string& scenario) {
     std::ofstream(path_) << scenario;
     YAML::Node parameters;
@@ -57,7 +55,8 @@ class NewKind : public testing::Test {
     }
   }
 
-  const std::string path_ = testing::TempDir() + "buoy_sensor_test.yaml";
+  const tws::TemporaryFolder folder_;
+  const std::string path_ = folder_.file("buoys.yaml");
   std::vector<tws_msgs::Detections> reports;
   std::ostringstream radar;
   std::vector<SensorTopics> sensors;

@@ -7,6 +7,7 @@
 #include <std_msgs/Int32.h>
 #include <std_msgs/String.h>
 #include <tws_core/file_size_limit_test_helpers.h>
+#include <tws_core/temporary_folder_test_helpers.h>
 #include <tws_msgs/Truth.h>
 #include <tws_runtime/local_graph.h>
 #include <tws_runtime/run.h>
@@ -60,7 +61,7 @@ class Counting : public Source {
 
 class BagTest : public ::testing::Test {
  protected:
-  std::string path(const std::string& name) const { return ::testing::TempDir() + name; }
+  std::string path(const std::string& name) const { return folder_.file(name); }
 
   std::string recordNumbers(const std::string& name, const std::vector<std::string>& topics = {}) {
     LocalGraph graph(log);
@@ -121,6 +122,7 @@ class BagTest : public ::testing::Test {
     EXPECT_EQ(error.find('\n'), std::string::npos) << "more than one line";
   }
 
+  const tws::TemporaryFolder folder_;
   std::ostringstream log;
 };
 

@@ -3,8 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <tws_core/temporary_folder_test_helpers.h>
+
 #include <cmath>
-#include <fstream>
 #include <functional>
 #include <limits>
 #include <string>
@@ -23,12 +24,6 @@ std::string errorOf(const std::function<void()>& action) {
     return error.what();
   }
   return "";
-}
-
-std::string write(const std::string& name, const std::string& text) {
-  std::string path = ::testing::TempDir() + name;
-  std::ofstream(path) << text;
-  return path;
 }
 
 /// A tree without marks, as from the parameter server.
@@ -181,33 +176,37 @@ TEST(ParameterReader, KeysComeInTheOrderOfTheFile) {
 }
 
 TEST(ParameterFile, ErrorsNameFileLineColumnAndReason) {
-  const std::string broken = write("broken.yaml", "a: 1\nb: [1, 2\nc: 3\n");
+  const tws::TemporaryFolder folder;
+  const std::string broken = folder.write("broken.yaml", "a: 1\nb: [1, 2\nc: 3\n");
   EXPECT_EQ(errorOf([&] { loadParameterFile(broken); }).rfind(broken + ":3:", 0), 0u)
       << errorOf([&] { loadParameterFile(broken); });
-  const std::string twice = write("twice.yaml", "radars:\n  - a: 1\n    b: 2\n    a: 3\n");
+  const std::string twice = folder.write("twice.yaml", "radars:\n  - a: 1\n    b: 2\n    a: 3\n");
   EXPECT_EQ(errorOf([&] { loadParameterFile(twice); }), twice + ":4:5: key 'a' stands twice in this map");
   EXPECT_EQ(errorOf([] { loadParameterFile("/nowhere/a.yaml"); }), "/nowhere/a.yaml: cannot be read");
-  EXPECT_TRUE(loadParameterFile(write("empty.yaml", "# nothing\n")).IsMap());
+  EXPECT_TRUE(loadParameterFile(folder.write("empty.yaml", "# nothing\n")).IsMap());
 }
 
 // If these fail, a file of a few lines takes the memory of the machine, or ends the program without a word.
 TEST(LoadParameterFile, RefusesAliasesThatStandForMoreThanAFileCanHold) {
+  const tws::TemporaryFolder folder;
   std::string text = "a0: &a0 [1, 1]\n";
   for (int i = 1; i < 40; ++i) {
     const std::string name = "a" + std::to_string(i), before = "*a" + std::to_string(i - 1);
     text += name + ": &" + name + " [" + before + ", " + before + "]\n";
   }
-  const std::string path = write("aliases.yaml", text);
+  const std::string path = folder.write("aliases.yaml", text);
   EXPECT_NE(errorOf([&] { loadParameterFile(path); }).find("aliases"), std::string::npos);
 }
 
 TEST(LoadParameterFile, RefusesAnAliasOfItself) {
-  const std::string path = write("itself.yaml", "a: &a\n  b: *a\n");
+  const tws::TemporaryFolder folder;
+  const std::string path = folder.write("itself.yaml", "a: &a\n  b: *a\n");
   EXPECT_NE(errorOf([&] { loadParameterFile(path); }).find(": is nested deeper"), std::string::npos);
 }
 
 TEST(LoadParameterFile, TakesAliasesInTheirPlace) {
-  const YAML::Node tree = loadParameterFile(write("usual.yaml", "a: &a {x: 1}\nb: [*a, *a]\n"));
+  const tws::TemporaryFolder folder;
+  const YAML::Node tree = loadParameterFile(folder.write("usual.yaml", "a: &a {x: 1}\nb: [*a, *a]\n"));
   EXPECT_EQ(tree["b"][1]["x"].as<int>(), 1);
 }
 
@@ -218,9 +217,10 @@ TEST(LoadParameterFile, RefusesWhatIsNoFileOrEndless) {
 
 // If this fails, a log has lines that say nothing, or what the file wants it to say.
 TEST(ParameterErrors, AreOneLineWhateverTheyQuote) {
-  const std::string path = write("lines.yaml", "\"a\\nb\": 1\n\"a\\nb\": 2\n");
+  const tws::TemporaryFolder folder;
+  const std::string path = folder.write("lines.yaml", "\"a\\nb\": 1\n\"a\\nb\": 2\n");
   EXPECT_EQ(errorOf([&] { loadParameterFile(path); }), path + ":2:1: key 'a b' stands twice in this map");
-  const std::string choice = write("choice.yaml", "x: \"a\\nb\"\n");
+  const std::string choice = folder.write("choice.yaml", "x: \"a\\nb\"\n");
   std::string value;
   EXPECT_EQ(errorOf([&] { ParameterReader(loadParameterFile(choice), choice).choice("x", value, {"one"}); }),
             choice + ":1:4: x: 'a b' is not one of one");

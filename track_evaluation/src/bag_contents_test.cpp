@@ -2,12 +2,11 @@
 
 #include <gtest/gtest.h>
 #include <rosbag/bag.h>
+#include <tws_core/temporary_folder_test_helpers.h>
 #include <tws_msgs/Detections.h>
 #include <tws_msgs/GraphDescription.h>
 #include <tws_msgs/Tracks.h>
 #include <tws_msgs/Truth.h>
-
-#include <cstdio>
 
 namespace track_evaluation {
 namespace {
@@ -17,7 +16,8 @@ using Names = std::vector<std::string>;
 /// What a bag with tracks, detections and truth under these topics holds.
 BagContents contentsOf(const std::string& tracks, const std::string& detections, const std::string& truth,
                        const std::string& graph = "") {
-  const std::string path = testing::TempDir() + "bag_contents_test.bag";
+  const tws::TemporaryFolder folder;
+  const std::string path = folder.file("run.bag");
   rosbag::Bag bag(path, rosbag::bagmode::Write);
   bag.write(tracks, ros::Time(1.0), tws_msgs::Tracks());
   bag.write(detections, ros::Time(1.0), tws_msgs::Detections());
@@ -26,9 +26,7 @@ BagContents contentsOf(const std::string& tracks, const std::string& detections,
   description.yaml = graph;
   if (!graph.empty()) bag.write("/graph", ros::Time(1.0), description);
   bag.close();
-  BagContents contents = inspectBag(path);
-  std::remove(path.c_str());
-  return contents;
+  return inspectBag(path);
 }
 
 // If one of these fails, a bag from elsewhere is scored under odd names, or not at all.
