@@ -72,7 +72,7 @@ def start_all(hosts, bag):
     hosts.start(RADARS, "master", "roscore", "-p", "11411")
     hosts.wait_for_subscribers(["/rosout"])
     hosts.start(TRACKER, "tracker", "roslaunch", "adit_tracker", "adit.launch")
-    recorder = hosts.start(TRACKER, "recorder", "rosbag", "record", "-O", bag, TRACKS, "__name:=tracks_recorder")
+    recorder = hosts.start(TRACKER, "recorder", "rosrun", "rosbag", "record", "-O", bag, TRACKS, "__name:=tracks_recorder")
     hosts.wait_for_subscribers([*HEARD, TRACKS])
     hosts.run(RADARS, "rosparam", "set", "/radar_sim/live/wait_timeout", str(PATIENCE))
     hosts.start(RADARS, "radars", "roslaunch", "radar_sim", "radar_sim.launch", f"scenario:={SCENARIO}", f"wait_for:=[{', '.join(HEARD)}]")

@@ -25,8 +25,9 @@ class Backlog {
   std::optional<double> beat(double wall);
   /// A message of that stamp [s] has come. True: `give` is kept, and is to be handed over later.
   bool keep(std::size_t topic, double stamp, double wall, Give give);
-  /// What is to be handed over next, once all has come: when nothing has come for 0.3 s that is older
-  /// than its topic usually is, or after ten seconds.
+  /// What is to be handed over next, once all has come. After a standstill: when nothing has come for 0.3 s that is
+  /// older than its topic usually is, or after ten seconds. After a silence: after 0.3 s when no topic is still behind,
+  /// or after five seconds.
   std::optional<Give> take(double wall);
 
   std::size_t size() const { return kept_.size(); }
@@ -34,13 +35,30 @@ class Backlog {
  private:
   static constexpr double kNever = -std::numeric_limits<double>::infinity();
 
-  std::optional<double> beat_;     // the latest
-  bool open_ = false;              // what comes is kept
-  double opened_ = 0.0;            // then
-  double old_ = 0.0;               // then something old came last
-  bool complete_ = false;          // all has come
-  double newest_ = kNever;         // stamp of all topics [s]
-  std::vector<double> usual_lag_;  // of each topic behind the newest stamp [s]
+  struct Topic {
+    int heard = 0;             // messages
+    double wall = 0.0;         // of the latest message [s]
+    double stamp = 0.0;        // of the latest message [s]
+    double usual_lag = 0.0;    // behind the newest stamp of all topics [s]
+    double usual_step = 0.0;   // from stamp to stamp [s]
+    double usual_pause = 0.0;  // from message to message [s of wall time]
+    bool awaited = false;      // it was silent when one that was silent, too, came back
+  };
+
+  bool isSilent(const Topic& topic, double wall) const;
+  bool isBehind(const Topic& topic) const;
+  void openAfterSilence(const Topic& back, double wall);
+  void learn(Topic& topic, double stamp, double wall);
+  bool hasCome(double wall) const;
+
+  std::optional<double> beat_;  // the latest
+  bool open_ = false;           // what comes is kept
+  bool after_silence_ = false;  // and not after a standstill
+  double opened_ = 0.0;         // then
+  double old_ = 0.0;            // then something old came last
+  bool complete_ = false;       // all has come
+  double newest_ = kNever;      // stamp of all topics [s]
+  std::vector<Topic> topics_;
   std::multimap<double, Give> kept_;
 };
 

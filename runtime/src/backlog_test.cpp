@@ -92,5 +92,68 @@ TEST_F(BacklogTest, OldMessagesWithoutEndHoldNothingUpForLong) {
   EXPECT_GT(given.size(), 1900u);
 }
 
+/// The node runs on while nothing comes: its network has failed.
+class SilenceTest : public BacklogTest {
+ protected:
+  SilenceTest() {
+    runInStep(0.0, 20.0);
+    given.clear();
+    run(20.0);
+  }
+  /// What a topic has sent since, all at once.
+  void comeBack(std::size_t topic, double to) {
+    const double lag = topic == 0 ? 0.0 : 1.0;
+    for (double stamp = 20.0; stamp < to; stamp += 0.1) send(topic, stamp - lag);
+  }
+};
+
+// If this fails, a tracker behind a network that failed takes one topic's share of that time for all there was, and
+// loses its tracks.
+TEST_F(SilenceTest, TopicsThatComeBackOneAfterTheOtherAreHandedOverInOrderOfTime) {
+  comeBack(0, 45.0);
+  run(1.5);
+  EXPECT_TRUE(given.empty());
+  comeBack(1, 46.5);
+  run(0.1);
+  EXPECT_EQ(given.size(), 250u + 265u);
+  EXPECT_TRUE(std::is_sorted(given.begin(), given.end()));
+  EXPECT_EQ(backlog.size(), 0u);
+  given.clear();
+  runInStep(46.5, 47.0);
+  EXPECT_EQ(given.size(), 10u) << "and then all goes on as before";
+}
+
+TEST_F(SilenceTest, APauseOfAllIsOverInAMoment) {
+  send(0, 20.0);
+  send(1, 19.0);
+  run(0.25);
+  EXPECT_TRUE(given.empty());
+  run(0.1);
+  EXPECT_EQ(given.size(), 2u);
+}
+
+TEST_F(SilenceTest, ATopicThatStaysAwayHoldsTheOthersUpForFiveSeconds) {
+  comeBack(0, 45.0);
+  for (int i = 0; i < 49; ++i) {
+    send(0, 45.0 + 0.1 * i);
+    run(0.1);
+  }
+  EXPECT_TRUE(given.empty());
+  run(0.2);
+  EXPECT_EQ(given.size(), 250u + 49u);
+  send(0, 50.0);
+  EXPECT_EQ(given.size(), 300u) << "and no more";
+}
+
+TEST_F(BacklogTest, ATopicThatIsSeldomHeardIsNotMissed) {
+  for (int i = 0; i < 20; ++i) {
+    send(0, 8.0 * i);
+    run(8.0);
+  }
+  send(0, 160.0);
+  EXPECT_EQ(given.size(), 21u);
+  EXPECT_EQ(backlog.size(), 0u);
+}
+
 }  // namespace
 }  // namespace tws_runtime
