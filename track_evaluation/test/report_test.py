@@ -18,12 +18,13 @@ class ReportTest(unittest.TestCase):
         self.addCleanup(folder.cleanup)
         self.folder = pathlib.Path(folder.name)
 
-    def run_folder(self, name, completeness):
+    def run_folder(self, name, completeness, trackers=("adit",)):
         run = self.folder / name
         run.mkdir()
         row = {"profile": "en route", "name": "long gaps", "unit": "", "value": 0.5, "limit": 0.01, "sense": "at most", "passed": False}
         score = {"metrics": {"completeness": completeness, "gospa_m": None}, "identity": {}, "timing": {}, "requirements": [row]}
-        (run / "metrics.json").write_text(json.dumps({"version": 1, "input": "x", "settings": {"order": 2}, "trackers": {"adit": score}}))
+        scores = {"version": 1, "input": "x", "settings": {"order": 2}, "trackers": dict.fromkeys(trackers, score)}
+        (run / "metrics.json").write_text(json.dumps(scores))
         (run / "series.csv").write_text(SERIES + "".join(f"adit,{t},1,2,3,4,5,{completeness},6,7,8\n" for t in range(60, 70)))
         picture = ["tracker,t_s,what,id,x_m,y_m", "adit,60,required,1,0,0", "adit,62,required,1,9,9", "adit,60,track,7,0,0"]
         (run / "picture.csv").write_text("\n".join(picture) + "\n")
@@ -54,6 +55,16 @@ class ReportTest(unittest.TestCase):
     def test_two_runs_stand_side_by_side_with_their_difference(self):
         page = self.page(self.run_folder("one", 0.9), self.run_folder("two", 0.95))
         self.assertIn("<td class='n better'>+5.00 %</td>", page)
+
+    # If this fails, a page of a whole graph compares a range gate with a surveillance radar, in columns beyond the screen.
+    def test_trackers_are_compared_with_themselves_in_another_run(self):
+        both = ("adit", "esa")
+        page = self.page(self.run_folder("one", 0.9, both))
+        self.assertNotIn("difference", page)
+        self.assertIn("<b>esa</b>", page)
+        page = self.page(self.run_folder("two", 0.9, both), self.run_folder("three", 0.95, both))
+        self.assertEqual(page.count("<td class='n better'>+5.00 %</td>"), 2)
+        self.assertIn("<b>three: esa</b>", page)
 
     # If this fails, a slip of the pen destroys a recording, or a full disk leaves half a page.
     def test_the_page_is_whole_and_replaces_no_run_and_no_link(self):
