@@ -38,7 +38,7 @@ std::optional<double> Backlog::beat(double wall) {
 
 bool Backlog::keep(std::size_t index, double stamp, double wall, Give give) {
   Topic& topic = topics_[index];
-  if (!open_ && isSilent(topic, wall)) openAfterSilence(topic, wall);
+  if (!open_ && isSilent(topic, wall)) openAfterSilence(wall);
   newest_ = std::max(newest_, stamp);
   if (!open_) learn(topic, stamp, wall);
   if (newest_ - stamp > topic.usual_lag + kOld) old_ = wall;
@@ -57,11 +57,11 @@ bool Backlog::isBehind(const Topic& topic) const {
   return newest_ - topic.stamp > topic.usual_lag + topic.usual_step + kOld;
 }
 
-void Backlog::openAfterSilence(const Topic& back, double wall) {
+void Backlog::openAfterSilence(double wall) {
   open_ = after_silence_ = true;
   complete_ = false;
   opened_ = wall;
-  for (Topic& topic : topics_) topic.awaited = &topic == &back || isSilent(topic, wall);
+  for (Topic& topic : topics_) topic.awaited = isSilent(topic, wall);
 }
 
 void Backlog::learn(Topic& topic, double stamp, double wall) {

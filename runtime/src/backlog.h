@@ -13,6 +13,10 @@ namespace tws_runtime {
 /// own, and what has gathered there comes topic by topic: seconds or minutes of detections, and then the marks of the
 /// same time, which are late by all limits. So all is kept until it has come, and handed over in order of its stamps.
 ///
+/// The same after a network has failed: each connection repeats by a clock of its own what was lost, and the topics
+/// come back seconds one after the other. What comes is kept when a topic comes back that was silent for two seconds,
+/// and for three times its usual pause, until all that were silent with it are where the newest one is.
+///
 /// Wall times are in seconds of a clock that does not step.
 class Backlog {
  public:
@@ -42,12 +46,12 @@ class Backlog {
     double usual_lag = 0.0;    // behind the newest stamp of all topics [s]
     double usual_step = 0.0;   // from stamp to stamp [s]
     double usual_pause = 0.0;  // from message to message [s of wall time]
-    bool awaited = false;      // it was silent when one that was silent, too, came back
+    bool awaited = false;      // it was silent when the first one came back
   };
 
   bool isSilent(const Topic& topic, double wall) const;
   bool isBehind(const Topic& topic) const;
-  void openAfterSilence(const Topic& back, double wall);
+  void openAfterSilence(double wall);
   void learn(Topic& topic, double stamp, double wall);
   bool hasCome(double wall) const;
 
