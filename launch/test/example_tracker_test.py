@@ -11,6 +11,7 @@ import unittest
 import rosbag
 import rosunit
 
+from graph_test_kit import launch_line
 from graph_test_kit import message_bytes as tracks
 
 EXAMPLE = pathlib.Path(__file__).parent / "example_tracker"
@@ -29,8 +30,7 @@ def command(*words):
 
 
 def live(file, record, **arguments):
-    command("roslaunch", "--no-summary", "tws_launch", file, f"record:={record}", "rviz:=false", "nodelets:=true",
-            f"graph:={EXAMPLE}/graph.yaml", *(f"{name}:={value}" for name, value in arguments.items()))
+    command(*launch_line(file, record, nodelets="true", graph=f"{EXAMPLE}/graph.yaml", **arguments))
     return record
 
 

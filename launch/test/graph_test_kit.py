@@ -16,6 +16,11 @@ def message_bytes(bag, topic="/adit/tracks"):
         return [raw[1][4:] for _, raw, _ in opened.read_messages([topic], raw=True)]
 
 
+def launch_line(file, record, **arguments):
+    return ["roslaunch", "--no-summary", "tws_launch", file, f"record:={record}", "rviz:=false",
+            *(f"{name}:={value}" for name, value in arguments.items())]
+
+
 def late(bag):
     """The counts in the diagnostics of a live run that tell of messages that came too late for the same result."""
     counts = {}

@@ -11,6 +11,7 @@ import unittest
 
 import rosbag
 
+from graph_test_kit import in_time
 from graph_test_kit import message_bytes as tracks
 
 BUILD = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else "build").resolve()
@@ -66,8 +67,13 @@ class InstallSpaceTest(unittest.TestCase):
         live, folder = SPACE / "live.bag", SPACE / "offline"
         scenario = SPACE / "share/tws_launch/scenarios/one_aircraft.yaml"
         installed(f"rosrun tws_launch tws_offline {scenario} --out {folder} --duration 20")
-        installed(f"roslaunch -p {PORT} tws_launch run.launch scenario:=one_aircraft duration:=20 rate:=10 rviz:=false record:={live}")
-        lives, others = tracks(live), tracks(folder / "run.bag")
+
+        def at(rate):
+            installed(f"roslaunch -p {PORT} tws_launch run.launch scenario:=one_aircraft duration:=20 rate:={rate} rviz:=false "
+                      f"record:={live}")
+            return live
+
+        lives, others = tracks(in_time(at, 10)), tracks(folder / "run.bag")
         length = min(len(lives), len(others))
         self.assertGreater(length, 100)
         self.assertLessEqual(max(len(lives), len(others)) - length, 10)

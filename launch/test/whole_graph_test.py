@@ -14,7 +14,7 @@ import rospy
 import rosunit
 import yaml
 
-from graph_test_kit import in_time, late
+from graph_test_kit import in_time, late, launch_line
 from graph_test_kit import message_bytes as tracks
 
 SCENARIO = "full"
@@ -30,14 +30,13 @@ WINDOWS = "{window_tracker: {radar: sps12}}"  # what the scenario says, for bags
 def command(*words):
     """Runs a command to its good end and returns what it printed."""
     done = subprocess.run([str(word) for word in words], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, timeout=120)
-    if done.returncode != 0 or "process has died" in done.stdout:
-        raise AssertionError(f"{' '.join(map(str, words))} failed:\n{done.stdout}")
-    return done.stdout
+    return good_end(words, done.returncode, done.stdout)
 
 
-def launch_line(file, record, **arguments):
-    return ["roslaunch", "--no-summary", "tws_launch", file, f"record:={record}", "rviz:=false",
-            *(f"{name}:={value}" for name, value in arguments.items())]
+def good_end(words, status, said):
+    if status != 0 or "process has died" in said:
+        raise AssertionError(f"{' '.join(map(str, words))} failed:\n{said}")
+    return said
 
 
 def launch(file, record, rate, **arguments):
@@ -53,14 +52,17 @@ def launch_beside(work, record, rate, **arguments):
     answers = []
 
     def at(rate):
-        run = subprocess.Popen(launch_line("run.launch", record, rate=rate, **arguments), stdout=subprocess.DEVNULL,
-                               stderr=subprocess.DEVNULL)
-        try:
-            answers.append(work())
-            run.wait(120)
-        finally:
-            run.terminate()
-            run.wait()
+        words = launch_line("run.launch", record, rate=rate, **arguments)
+        with tempfile.TemporaryFile("w+", encoding="utf8") as said:
+            run = subprocess.Popen(words, stdout=said, stderr=subprocess.STDOUT)
+            try:
+                answers.append(work())
+                run.wait(120)
+            finally:
+                run.terminate()
+                run.wait()
+            said.seek(0)
+            good_end(words, run.returncode, said.read())
         return record
 
     in_time(at, rate)
