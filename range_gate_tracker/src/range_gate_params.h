@@ -35,11 +35,11 @@ struct RangeGateParams {
   double max_range = 40000.0;
 
   // Loss and reacquisition.
-  double coast_time = 1.0;       ///< A target unseen for longer is lost [s], > 0.
+  double coast_time = 1.0;       ///< A target on which no measurements agree for longer is lost [s], > 0.
   double widest_gate = 4000.0;   ///< The gate opens up to this length [m], >= gate_length,
   double widening_time = 5.0;    ///< and after so long without the target it sweeps [s], >= coast_time.
   double sweep_dwell = 0.4;      ///< Time at each place of the sweep [s], > 0; more than the radar takes to follow.
-  long confirming_profiles = 3;  ///< Profiles in a row that agree on a new target, >= 1.
+  long confirming_profiles = 3;  ///< Profiles in a row that agree on a new target, measurements on an old one, >= 1.
 };
 
 }  // namespace range_gate_tracker

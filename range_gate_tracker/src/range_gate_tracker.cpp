@@ -41,9 +41,7 @@ GateReport RangeGateTracker::process(const RangeProfile& profile) {
   const double dt = time_ ? profile.time - *time_ : 0.0;
   time_ = profile.time;
   const std::optional<double> measured = measuredRange(reading, profile);
-  lock_ == Lock::kSearching ? seek(measured, dt) : follow(measured, dt);
-  if (measured) last_measured_ = *measured;
-  if (measured) last_seen_ = profile.time;
+  lock_ == Lock::kSearching ? seek(measured, profile) : follow(measured, dt);
   return report(reading, measured, profile);
 }
 
@@ -76,22 +74,61 @@ std::optional<double> RangeGateTracker::measuredRange(const WindowReading& readi
   return reading.range >= start && reading.range <= end ? std::optional<double>(reading.range) : std::nullopt;
 }
 
-void RangeGateTracker::follow(std::optional<double> measured, double dt) {
-  std::visit([&](auto& filter) { measured ? filter.update(*measured, dt) : filter.coast(dt); }, filter_);
-  lock_ = measured ? Lock::kLocked : Lock::kCoasting;
-  if (measured || *time_ - last_seen_ <= params_.coast_time) return;
-  lock_ = Lock::kSearching;
-  agreeing_ = 0;
-  search_.begin(std::visit([](const auto& filter) { return filter.range(); }, filter_), last_seen_);
+bool RangeGateTracker::agrees(double measured) const {
+  const double reach = params_.window + params_.velocity_limit * (*time_ - last_seen_);
+  return agreeing_ > 0 && std::abs(measured - last_measured_) <= reach;
 }
 
-void RangeGateTracker::seek(std::optional<double> measured, double dt) {
-  const double reach = params_.window + params_.velocity_limit * dt;
-  const bool agrees = measured && agreeing_ > 0 && std::abs(*measured - last_measured_) <= reach;
-  agreeing_ = !measured ? 0 : agrees ? agreeing_ + 1 : 1;
-  if (agreeing_ < params_.confirming_profiles) return;
-  std::visit([&](auto& filter) { filter.start(*measured); }, filter_);
-  lock_ = Lock::kLocked;
+void RangeGateTracker::note(double measured) {
+  agreeing_ = agrees(measured) ? agreeing_ + 1 : 1;
+  last_measured_ = measured;
+  last_seen_ = *time_;
+  if (agreeing_ >= params_.confirming_profiles) last_agreed_ = *time_;
+}
+
+// The brightest of mere noise is now here, now there.
+void RangeGateTracker::follow(std::optional<double> measured, double dt) {
+  if (measured) note(*measured);
+  std::visit([&](auto& filter) { measured ? filter.update(*measured, dt) : filter.coast(dt); }, filter_);
+  lock_ = measured ? Lock::kLocked : Lock::kCoasting;
+  if (*time_ - last_agreed_ <= params_.coast_time) return;
+  lock_ = Lock::kSearching;
+  agreeing_ = 0;
+  search_.begin(std::visit([](const auto& filter) { return filter.range(); }, filter_), last_agreed_);
+}
+
+void RangeGateTracker::seek(std::optional<double> measured, const RangeProfile& profile) {
+  if (isUnderWay(profile)) return;
+  const bool was_candidate = agreeing_ > 0;
+  if (!measured || isRefuted(*measured)) {
+    agreeing_ = 0;
+    return;
+  }
+  if (!was_candidate) candidate_since_ = *time_;
+  note(*measured);
+  if (agreeing_ >= params_.confirming_profiles) {
+    std::visit([&](auto& filter) { filter.start(*measured); }, filter_);
+    lock_ = Lock::kLocked;
+  } else if (*time_ - candidate_since_ > params_.sweep_dwell) {
+    refute();
+  }
+}
+
+// The radar follows with a delay: what it had looked at before says nothing about a candidate elsewhere.
+bool RangeGateTracker::isUnderWay(const RangeProfile& profile) const {
+  const bool looked = last_measured_ >= profile.range_min && last_measured_ <= profile.rangeMax();
+  return agreeing_ > 0 && !looked && *time_ - last_seen_ <= params_.sweep_dwell;
+}
+
+bool RangeGateTracker::isRefuted(double range) const {
+  return *time_ <= refuted_until_ && std::abs(range - refuted_) < params_.gate_length;
+}
+
+// Where the noise is above the threshold there is always something; the sweep goes on.
+void RangeGateTracker::refute() {
+  agreeing_ = 0;
+  refuted_ = last_measured_;
+  refuted_until_ = *time_ + params_.sweep_dwell;
 }
 
 RangeInterval RangeGateTracker::nextGate() const {

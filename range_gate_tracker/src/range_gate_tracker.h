@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <optional>
 
 #include "detection_window.h"
@@ -31,7 +32,8 @@ struct GateReport {
 
 /// Keeps the range gate of a radar on one target, after DDRE A-5/2005: the brightest window is measured, the ranges are
 /// damped, and the gate is centred on the prediction. Without a target GateSearch says where to look, at first about
-/// the centre of the first profile; a new target is one that some profiles in a row agree on.
+/// the centre of the first profile; a new target is one that some profiles in a row agree on, and it stays one as long
+/// as as many measurements in a row do again and again.
 class RangeGateTracker {
  public:
   explicit RangeGateTracker(const RangeGateParams& params);
@@ -44,8 +46,13 @@ class RangeGateTracker {
   void check(const RangeProfile& profile) const;
   BinSpan spanToLookAt(const RangeProfile& profile, std::size_t bins) const;
   std::optional<double> measuredRange(const WindowReading& reading, const RangeProfile& profile) const;
+  bool agrees(double measured) const;
   void follow(std::optional<double> measured, double dt);
-  void seek(std::optional<double> measured, double dt);
+  void seek(std::optional<double> measured, const RangeProfile& profile);
+  void note(double measured);
+  bool isUnderWay(const RangeProfile& profile) const;
+  bool isRefuted(double range) const;
+  void refute();
   GateReport report(const WindowReading& reading, std::optional<double> measured, const RangeProfile& profile) const;
   RangeInterval nextGate() const;
 
@@ -54,10 +61,14 @@ class RangeGateTracker {
   RangeFilter filter_;
   GateSearch search_;
   Lock lock_ = Lock::kSearching;
-  std::optional<double> time_;  // of the last profile [s]
-  double last_measured_ = 0.0;  // R(t - 1) [m]
-  double last_seen_ = 0.0;      // when that was measured [s]
-  long agreeing_ = 0;           // profiles in a row that saw the same new target
+  std::optional<double> time_;    // of the last profile [s]
+  double last_measured_ = 0.0;    // R(t - 1) [m]
+  double last_seen_ = 0.0;        // when that was measured [s]
+  double last_agreed_ = 0.0;      // when enough measurements in a row had last agreed [s]
+  long agreeing_ = 0;             // how many in a row do; without a target: on the candidate that the gate stays with
+  double candidate_since_ = 0.0;  // or since another one had the gate [s]
+  double refuted_ = 0.0;          // where none of them was a target [m]
+  double refuted_until_ = -std::numeric_limits<double>::infinity();
 };
 
 }  // namespace range_gate_tracker

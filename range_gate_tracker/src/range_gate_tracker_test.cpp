@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <deque>
 #include <string>
+#include <utility>
 
 namespace range_gate_tracker {
 namespace {
@@ -91,6 +93,32 @@ TEST(RangeGateTracker, DoesNotLockOnWhatJumpsAbout) {
   }
 }
 
+// If this fails, a tracker that once took noise for a target shows a firm track there for minutes, and its own target
+// goes by.
+TEST(RangeGateTracker, GivesUpWhatJumpsAboutFromOneProfileToTheNext) {
+  Radar radar(params());
+  radar.run(1.0);
+  GateReport report;
+  for (int i = 0; i < 55; ++i) {
+    radar.target = 5300.0 + 400.0 * (i % 2);
+    report = radar.step();
+    EXPECT_EQ(report.lock, i < 50 ? Lock::kLocked : Lock::kSearching) << i;
+  }
+}
+
+// A target of which every third profile shows something else is one all the same.
+TEST(RangeGateTracker, KeepsATargetThatIsSometimesOutshone) {
+  RangeGateParams chosen = params();
+  chosen.confirming_profiles = 2;
+  Radar radar(chosen);
+  for (int i = 0; i < 500; ++i) {
+    radar.other = 5800.0;
+    radar.other_power = i % 3 == 2 ? 9.0 : 0.0;
+    const Lock lock = radar.step().lock;
+    EXPECT_TRUE(lock == Lock::kLocked || i < 2) << i;
+  }
+}
+
 // The purpose of it all: the gate follows the target.
 TEST(RangeGateTracker, KeepsAFastTargetInsideTheGateLaggingAsTheFilterMust) {
   Radar radar(params());
@@ -153,6 +181,48 @@ TEST(RangeGateTracker, SweepsAllRangesForATargetThatIsGone) {
   while (radar.step().lock != Lock::kLocked && time < 60.0) time += kPeriod;
   EXPECT_LT(time, 0.2 * 21);
   EXPECT_NEAR(radar.run(1.0).smoothed, 19500.0, 1.0);
+}
+
+/// Looks where it was told to `delay` profiles ago, and beyond `noise_from` there is always something, now here, now
+/// there.
+class NoisyRadar {
+ public:
+  NoisyRadar(const RangeGateParams& params, std::deque<RangeInterval> gates, double noise_from)
+      : radar_(params), gates_(std::move(gates)), noise_from_(noise_from) {}
+
+  /// Seconds until it is locked on a target at `range`; `at_most`: not before.
+  double timeToLock(double range, double at_most) {
+    radar_.target = range;
+    for (double time = 0.0; time < at_most; time += kPeriod) {
+      radar_.gate = gates_.front();
+      gates_.pop_front();
+      radar_.other_power = radar_.gate.max > noise_from_ ? 2.0 : 0.0;
+      radar_.other = radar_.gate.max - 100.0 - 150.0 * static_cast<double>(++looks_ % 5);
+      const GateReport report = radar_.step();
+      gates_.push_back(report.gate);
+      if (report.lock == Lock::kLocked && std::abs(report.smoothed - range) < 10.0) return time;
+    }
+    return at_most;
+  }
+
+ private:
+  Radar radar_;
+  std::deque<RangeInterval> gates_;
+  double noise_from_;
+  int looks_ = 0;
+};
+
+// If this fails, a radar that follows its gate with a delay may look at a target and away from it for good.
+TEST(RangeGateTracker, LocksOnThoughTheRadarIsStillOnItsWayFromElsewhere) {
+  const RangeInterval here{5000.0, 6000.0}, there{9000.0, 10000.0};
+  EXPECT_LT(NoisyRadar(params(), {here, here, there}, 8000.0).timeToLock(5500.0, 5.0), 0.3);
+}
+
+// If this fails, the sweep stays where the noise is above the threshold, and a target elsewhere is never found. One
+// sweep of 20 places takes 4 s, and each of the ten with noise is left after as long again.
+TEST(RangeGateTracker, SweepsOnWhereThereIsOnlyNoise) {
+  const RangeInterval far{14000.0, 15000.0};
+  EXPECT_LT(NoisyRadar(params(), {far, far, far}, 10000.0).timeToLock(2500.0, 60.0), 4.0 + 4.0 + 10 * 0.2 + 1.0);
 }
 
 // As the report has it, the brightest window wins wherever it is; with the limit the interferer does not.
