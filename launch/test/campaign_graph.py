@@ -1,6 +1,7 @@
 """What the rows of the fault campaign have in common: live runs, their tracks, and how these compare."""
 import collections
 import dataclasses
+import math
 import os
 import re
 import signal
@@ -14,6 +15,7 @@ from graph_test_kit import free_port
 
 RATE = 4.0  # data time over wall time
 FIRM = 2
+NEAR = 500.0  # [m]: so near to each other within a second, two tracks are of one target
 
 
 def environment(folder, master_uri):
@@ -85,11 +87,11 @@ class Graph:
 
 
 class Tracks:
-    """What a recorded run says of tracks, by topic: (uid, stamp [s]) of each update of a firm track, in the order of the recording, and the
-    bytes of the messages but for header.seq."""
+    """What a recorded run says of tracks, by topic: (uid, stamp [s]) of each update of a firm track, in the order of the recording; its
+    place (x, y) [m] by the same; and the bytes of its messages but for header.seq."""
 
     def __init__(self, bag):
-        self.firm, self.bytes = collections.defaultdict(list), collections.defaultdict(list)
+        self.firm, self.bytes, self.places = (collections.defaultdict(kind) for kind in (list, list, dict))
         with rosbag.Bag(str(bag)) as opened:
             self.begin = opened.get_start_time()
             for topic, (kind, data, _, _, cls), _ in opened.read_messages(raw=True):
@@ -97,7 +99,9 @@ class Tracks:
                     continue
                 self.bytes[topic].append(data[4:])
                 message = cls().deserialize(data)
-                self.firm[topic] += [(t.uid, message.header.stamp.to_sec()) for t in message.tracks if t.state == FIRM]
+                stamp = message.header.stamp.to_sec()
+                self.firm[topic] += [(t.uid, stamp) for t in message.tracks if t.state == FIRM]
+                self.places[topic].update({(t.uid, stamp): (t.position.x, t.position.y) for t in message.tracks if t.state == FIRM})
 
 
 def alive(updates, begin, end):
@@ -125,14 +129,30 @@ def check(good, text):
     return Outcome(1, 0 if good else 1, text if good else f"NOT {text}")
 
 
-def compare(run, reference, before, after):
-    """Tracks that the reference has in both intervals of data time since the start [s]: how many the run has before, and has lost after."""
+def compare(run, reference, before, after, but=None):
+    """Tracks that the reference has in both intervals of data time since the start [s]: how many the run has before, and has lost after.
+    Not those on the topic `but`."""
     before, after = (tuple(reference.begin + t for t in interval) for interval in (before, after))
     result = Outcome()
     for topic, updates in reference.firm.items():
+        if topic == but:
+            continue
         kept = alive(updates, *before) & alive(updates, *after) & alive(run.firm[topic], *before)
         result += Outcome(len(kept), len(kept - alive(run.firm[topic], *after)))
     return Outcome(result.tried, result.lost, f"{result.tried - result.lost}/{result.tried} tracks")
+
+
+def found_again(run, reference, topic, interval):
+    """Targets on which the reference has a firm track in the interval [s of data time]: those are lost on which the run has none."""
+    begin, end = (reference.begin + t for t in interval)
+    found = [(stamp, place) for (_, stamp), place in run.places[topic].items() if begin <= stamp < end]
+    wanted, seen = set(), set()
+    for (uid, stamp), place in reference.places[topic].items():
+        if begin <= stamp < end:
+            wanted.add(uid)
+            if any(abs(other - stamp) < 1.0 and math.dist(there, place) < NEAR for other, there in found):
+                seen.add(uid)
+    return Outcome(len(wanted), len(wanted - seen), f"{len(seen)}/{len(wanted)} targets on {topic}")
 
 
 def count_alike(run, reference, topic, interval):
