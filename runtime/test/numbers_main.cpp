@@ -1,5 +1,7 @@
-#include <tws_runtime/node_main.h>
+#include <tws_runtime/run.h>
 
 #include "example_nodes.h"
 
-TWS_NODE(tws_runtime, numbers_node, "numbers", tws_runtime::sourceProgram<tws_runtime::NumbersSource>())
+int main(int argc, char** argv) {
+  return tws_runtime::runProgram(argc, argv, "numbers", tws_runtime::sourceProgram<tws_runtime::NumbersSource>());
+}

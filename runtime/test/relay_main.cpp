@@ -1,5 +1,7 @@
-#include <tws_runtime/node_main.h>
+#include <tws_runtime/run.h>
 
 #include "example_nodes.h"
 
-TWS_NODE(tws_runtime, relay_node, "relay", tws_runtime::nodeProgram<tws_runtime::RelayNode>())
+int main(int argc, char** argv) {
+  return tws_runtime::runProgram(argc, argv, "relay", tws_runtime::nodeProgram<tws_runtime::RelayNode>());
+}

@@ -86,7 +86,15 @@ endfunction()
 # A node of the package's library, by TWS_NODE (tws_runtime/node_main.h) in SOURCE: the program NAME, and the nodelet class
 # PACKAGE/NAMElet in the library PACKAGE_nodelets. nodelet_plugins.xml must have an entry for it.
 function(tws_node name source)
-  tws_program(${name} ${source})
+  # What includes ROS's headers is compiled with the rest of the library, which has read them already.
+  target_sources(${PROJECT_NAME} PRIVATE ${PROJECT_SOURCE_DIR}/${source})
+  set(main ${CMAKE_CURRENT_BINARY_DIR}/${name}_main.cpp)
+  file(CONFIGURE OUTPUT ${main} CONTENT "namespace ${PROJECT_NAME} {
+int ${name}Main(int argc, char** argv);
+}
+int main(int argc, char** argv) { return ${PROJECT_NAME}::${name}Main(argc, argv); }
+")
+  tws_program(${name} ${main})
   file(STRINGS ${PROJECT_SOURCE_DIR}/nodelet_plugins.xml entry REGEX "name=\"${PROJECT_NAME}/${name}let\"")
   if(NOT entry)
     message(FATAL_ERROR "nodelet_plugins.xml of ${PROJECT_NAME} lacks the class ${PROJECT_NAME}/${name}let")
@@ -230,13 +238,17 @@ function(_tws_live_test launch_file)
 endfunction()
 
 # tws_benchmark(SOURCE... [LINK LIBRARY...])
-# The package's benchmarks, where Google Benchmark is installed.
+# The package's benchmarks, where Google Benchmark is installed; made by the target `benchmarks`, not by `all`.
 function(tws_benchmark)
+  if(NOT TARGET benchmarks)
+    add_custom_target(benchmarks)
+  endif()
   find_package(benchmark QUIET)
   if(NOT benchmark_FOUND)
     return()
   endif()
   cmake_parse_arguments(PARSE_ARGV 0 arg "" "" "LINK")
-  add_executable(${PROJECT_NAME}_benchmark ${arg_UNPARSED_ARGUMENTS})
+  add_executable(${PROJECT_NAME}_benchmark EXCLUDE_FROM_ALL ${arg_UNPARSED_ARGUMENTS})
   target_link_libraries(${PROJECT_NAME}_benchmark ${PROJECT_NAME} ${arg_LINK} benchmark::benchmark)
+  add_dependencies(benchmarks ${PROJECT_NAME}_benchmark)
 endfunction()

@@ -4,9 +4,10 @@
 ///
 ///     TWS_NODE(adit_tracker, adit_node, "adit", tws_runtime::nodeProgram<adit_tracker::AditNode>())
 ///
-/// tws_node() (tws_core-extras.cmake) compiles it twice: to the program `adit_node`, which runs the node under the name
-/// "adit" unless it is given another one, and, with TWS_NODELET defined, to the nodelet class
-/// `adit_tracker::adit_nodelet`, for which nodelet_plugins.xml of the package has an entry.
+/// tws_node() (tws_core-extras.cmake) compiles it twice: to the function `adit_tracker::adit_nodeMain()`, all that the
+/// program `adit_node` calls, which runs the node under the name "adit" unless it is given another one; and, with
+/// TWS_NODELET defined, to the nodelet class `adit_tracker::adit_nodelet`, for which nodelet_plugins.xml of the package
+/// has an entry.
 
 #include <tws_runtime/run.h>
 
@@ -26,7 +27,9 @@
 
 #else
 
-#define TWS_NODE(package, program, name, ...) \
-  int main(int argc, char** argv) { return tws_runtime::runProgram(argc, argv, name, __VA_ARGS__); }
+#define TWS_NODE(package, program, name, ...)                                                                 \
+  namespace package {                                                                                         \
+  int program##Main(int argc, char** argv) { return tws_runtime::runProgram(argc, argv, name, __VA_ARGS__); } \
+  }
 
 #endif
