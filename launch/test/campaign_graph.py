@@ -142,16 +142,13 @@ def compare(run, reference, before, after, but=None):
     return Outcome(result.tried, result.lost, f"{result.tried - result.lost}/{result.tried} tracks")
 
 
-def found_again(run, reference, topic, interval):
-    """Targets on which the reference has a firm track in the interval [s of data time]: those are lost on which the run has none."""
-    begin, end = (reference.begin + t for t in interval)
+def found_again(run, reference, topic, before, after):
+    """Targets on which the reference has a firm track in both intervals [s of data time]: lost are those where the run has none after."""
+    before, (begin, end) = (tuple(reference.begin + t for t in interval) for interval in (before, after))
+    wanted = alive(reference.firm[topic], *before) & alive(reference.firm[topic], begin, end)
     found = [(stamp, place) for (_, stamp), place in run.places[topic].items() if begin <= stamp < end]
-    wanted, seen = set(), set()
-    for (uid, stamp), place in reference.places[topic].items():
-        if begin <= stamp < end:
-            wanted.add(uid)
-            if any(abs(other - stamp) < 1.0 and math.dist(there, place) < NEAR for other, there in found):
-                seen.add(uid)
+    seen = {uid for (uid, stamp), place in reference.places[topic].items() if uid in wanted and begin <= stamp < end
+            and any(abs(other - stamp) < 1.0 and math.dist(there, place) < NEAR for other, there in found)}
     return Outcome(len(wanted), len(wanted - seen), f"{len(seen)}/{len(wanted)} targets on {topic}")
 
 

@@ -82,7 +82,7 @@ def stop_and_go(node):
             outcome += compare(run, campaign.reference, (at - 12.0, at), (end + 12.0, end + 28.0), but=loop)
             if loop:
                 found = end + (FOUND_AGAIN_AFTER if seconds > 1.0 else 12.0)
-                outcome += found_again(run, campaign.reference, loop, (found, found + 8.0))
+                outcome += found_again(run, campaign.reference, loop, (at - 12.0, at), (found, found + 8.0))
         return outcome + Outcome(text=same_topics(run, campaign.reference))
     return row
 
