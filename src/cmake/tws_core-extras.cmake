@@ -27,7 +27,7 @@ function(_tws_target variable name)
 endfunction()
 
 # Code of tests, and of a program around its library, runs for moments and compiles for long: -O1 takes a quarter off a test, two fifths off
-# what reads a command line. What they call is optimised in full.
+# what reads a command line or a YAML file. What they call is optimised in full.
 function(_tws_light_optimisation target)
   if(CMAKE_BUILD_TYPE STREQUAL "Release")
     # At -O1 GCC mistakes a test's own operator delete for the wrong one.
@@ -35,10 +35,11 @@ function(_tws_light_optimisation target)
   endif()
 endfunction()
 
-# tws_library(SOURCE... [STATIC] [LTO] [LINK LIBRARY...])
+# tws_library(SOURCE... [STATIC] [LTO] [LIGHT] [LINK LIBRARY...])
 # The package's library, installed with the headers of include/PACKAGE; it links what catkin found, and LIBRARY... besides.
+# LIGHT: it has nothing that must be fast.
 function(tws_library)
-  cmake_parse_arguments(PARSE_ARGV 0 arg "STATIC;LTO" "" "LINK")
+  cmake_parse_arguments(PARSE_ARGV 0 arg "STATIC;LTO;LIGHT" "" "LINK")
   foreach(folder src include)
     if(IS_DIRECTORY ${PROJECT_SOURCE_DIR}/${folder})
       include_directories(${folder})
@@ -63,6 +64,9 @@ function(tws_library)
     add_dependencies(${PROJECT_NAME} ${catkin_EXPORTED_TARGETS})
   endif()
   target_link_libraries(${PROJECT_NAME} ${catkin_LIBRARIES} ${arg_LINK})
+  if(arg_LIGHT)
+    _tws_light_optimisation(${PROJECT_NAME})
+  endif()
   # CMake's own switch for this uses an option that clang-tidy refuses.
   if(arg_LTO AND TWS_LTO AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_BUILD_TYPE STREQUAL "Release")
     target_compile_options(${PROJECT_NAME} PRIVATE -flto)
@@ -156,13 +160,14 @@ function(tws_test_program name)
   endif()
 endfunction()
 
-# tws_python_test(NAME SCRIPT [IN_WORKSPACE] [ARGUMENTS ARGUMENT...])
-# A test in Python. IN_WORKSPACE: it needs the Python modules of the messages, or has packages found.
+# tws_python_test(NAME SCRIPT [IN_WORKSPACE] [SECONDS N] [ARGUMENTS ARGUMENT...])
+# A test in Python. IN_WORKSPACE: it needs the Python modules of the messages, or has packages found. SECONDS: about how long it takes, if it is
+# long; ctest starts such tests first.
 function(tws_python_test name script)
   if(NOT CATKIN_ENABLE_TESTING)
     return()
   endif()
-  cmake_parse_arguments(PARSE_ARGV 2 arg "IN_WORKSPACE" "" "ARGUMENTS")
+  cmake_parse_arguments(PARSE_ARGV 2 arg "IN_WORKSPACE" "SECONDS" "ARGUMENTS")
   find_package(Python3 REQUIRED COMPONENTS Interpreter)
   set(environment "")
   if(arg_IN_WORKSPACE)
@@ -170,6 +175,9 @@ function(tws_python_test name script)
   endif()
   add_test(NAME _ctest_${PROJECT_NAME}_${name}
     COMMAND ${environment} ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/${script} ${arg_ARGUMENTS})
+  if(arg_SECONDS)
+    set_tests_properties(_ctest_${PROJECT_NAME}_${name} PROPERTIES COST ${arg_SECONDS})
+  endif()
 endfunction()
 
 # tws_fuzzer(NAME SOURCE... CORPUS FOLDER [SEEDS FOLDER] [LINK LIBRARY...])
@@ -200,7 +208,7 @@ function(tws_fuzzer name)
   set(test _ctest_${PROJECT_NAME}_fuzz_${name})
   add_test(NAME ${test} COMMAND ${_tws_fuzz_folder}/run ${name} ${PROJECT_SOURCE_DIR}/${arg_CORPUS} ${arg_UNPARSED_ARGUMENTS} -- ${words}
     COMMAND_EXPAND_LISTS)
-  set_tests_properties(${test} PROPERTIES SKIP_RETURN_CODE 77 TIMEOUT 7200 ENVIRONMENT "FUZZING_SEEDS=${arg_SEEDS}")
+  set_tests_properties(${test} PROPERTIES SKIP_RETURN_CODE 77 TIMEOUT 7200 COST 20 ENVIRONMENT "FUZZING_SEEDS=${arg_SEEDS}")
 endfunction()
 
 # tws_rostest(LAUNCH_FILE [NAME SOURCE...] [NODES NODE...] [LINK LIBRARY...])
