@@ -87,6 +87,21 @@ std::array<Gate, kGates> reportGates() {
   return gates;
 }
 
+/// Boats and ships, seen by a radar of a harbour or a vessel.
+void makeMarine(AditParams& p) {
+  p.turning.turn_rate = tws::radians(6.0);
+  p.turning.straight_acceleration = 0.02;
+  p.turning.turning_acceleration = 0.2;
+  p.turning.assumed_height = 0.0;
+  p.turning.manoeuvre_acceleration = 0.5;
+  p.turning.speed_sigma = 8.0;
+  p.existence.firm_updates = 4;
+  p.parting.speed = 5.0;
+  p.parting.speed_sigma = 2.0;
+  p.conversion.speed_up = tws::speedFromKnots(1.0);
+  p.conversion.speed_down = tws::speedFromKnots(0.5);
+}
+
 }  // namespace
 
 bool isFaster(double range_rate, double azimuth_rate, double range, double speed, const ConversionParams& params) {
@@ -100,8 +115,12 @@ AditParams AditParams::named(const std::string& name) {
   p.clutter.gate.range = feet(2000.0);
   p.clutter.gate.azimuth = tws::radians(1.4);
   if (name == "default") return p;
+  if (name == "marine") {
+    makeMarine(p);
+    return p;
+  }
   if (name != "nrl7952")
-    throw std::invalid_argument("parameter set: there is no set named " + name + " (default, nrl7952)");
+    throw std::invalid_argument("parameter set: there is no set named " + name + " (default, marine, nrl7952)");
   p.capacity = 256;
   p.filter = FilterKind::kAlphaBeta;
   p.learn_noise = false;

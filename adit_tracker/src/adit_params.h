@@ -136,7 +136,8 @@ struct AditParams {
   OperatorParams operators;
   ElevationParams elevation;
 
-  /// The named set without radars: "default" or "nrl7952", the report's letter. Throws std::invalid_argument.
+  /// The named set without radars: "default"; "marine" for boats and ships; or "nrl7952", the report's letter. Throws
+  /// std::invalid_argument.
   static AditParams named(const std::string& name);
 };
 

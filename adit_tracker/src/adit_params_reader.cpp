@@ -185,7 +185,7 @@ void readElevation(ParameterReader reader, ElevationParams& p) {
 
 AditParams readAditParams(ParameterReader& reader, const std::string& default_set) {
   std::string set = default_set;
-  reader.choice("set", set, {"default", "nrl7952"});
+  reader.choice("set", set, {"default", "marine", "nrl7952"});
   AditParams p = AditParams::named(set);
   readRadars(reader, p.radars);
   readIff(reader, p.iff);
@@ -207,8 +207,10 @@ AditParams readAditParams(ParameterReader& reader, const std::string& default_se
   return p;
 }
 
+bool isNamedSet(const std::string& name) { return name == "default" || name == "marine" || name == "nrl7952"; }
+
 AditParams loadAditParams(const std::string& name_or_file) {
-  if (name_or_file == "default" || name_or_file == "nrl7952") return AditParams::named(name_or_file);
+  if (isNamedSet(name_or_file)) return AditParams::named(name_or_file);
   ParameterReader reader(tws_runtime::loadParameterFile(name_or_file), name_or_file);
   AditParams params = readAditParams(reader);
   reader.done();

@@ -14,6 +14,9 @@ namespace adit_tracker {
 /// checked: they may come from elsewhere (see check).
 AditParams readAditParams(tws_runtime::ParameterReader& reader, const std::string& default_set = "default");
 
+/// Whether AditParams::named() knows it.
+bool isNamedSet(const std::string& name);
+
 /// A named set, or the file of that path. Throws tws_runtime::ParameterError.
 AditParams loadAditParams(const std::string& name_or_file);
 

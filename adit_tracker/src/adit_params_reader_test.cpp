@@ -115,6 +115,13 @@ TEST_P(ShippedFile, HasTheReportsRadars) {
 INSTANTIATE_TEST_SUITE_P(Both, ShippedFile, testing::Values("default", "nrl7952"),
                          [](const auto& info) { return info.param; });
 
+// If this fails, who gives the radar in config/marine.yaml other values gets another set than who says `set: marine`.
+TEST(ShippedMarine, GivesTheSetOfItsName) {
+  const AditParams shipped = loadAditParams(std::string(ADIT_CONFIG) + "/marine.yaml");
+  expectSame(shipped, AditParams::named("marine"));
+  EXPECT_NO_THROW(check(shipped));
+}
+
 // If this fails, `nrl7952` is no longer the report: the figures are those it prints.
 TEST(NamedSets, TheLetterHasTheReportsFigures) {
   const AditParams p = AditParams::named("nrl7952");

@@ -13,17 +13,20 @@ import sys
 import tempfile
 import unittest
 
+import marine_recording
+
 ADIT_CSV = sys.argv.pop(1)
 SHARED = os.environ.get("TWS_SHARED", "")
+MARINE = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "config", "marine.yaml")
 # GOSPA [m] of constant-velocity Kalman filters with perfect association on the same plots.
 PERFECT_ASSOCIATION = {"n10": 816.0, "n60": 2361.0, "n250": 5220.0}
 
 
-def track(detections, *arguments):
-    """The rows that adit_csv writes."""
+def track(detections, *arguments, check=True):
+    """The rows that adit_csv writes; `check`: there must be tracks."""
     with tempfile.TemporaryDirectory() as folder:
         tracks = os.path.join(folder, "tracks.csv")
-        subprocess.run([ADIT_CSV, "--detections", detections, "--tracks", tracks, *arguments], check=True, timeout=300,
+        subprocess.run([ADIT_CSV, "--detections", detections, "--tracks", tracks, *arguments], check=check, timeout=300,
                        stderr=subprocess.DEVNULL)
         with open(tracks) as file:
             return list(csv.DictReader(file))
@@ -67,6 +70,21 @@ class RealPlots(unittest.TestCase):
         share = sum(firm[code] for code in aircraft) / sum(codes[code] for code in aircraft)
         self.assertGreater(share, 0.97)  # the probability of update that surveillance standards ask for en route
         self.assertEqual(firm["7777"], 0)
+
+    # If this fails, who connects a marine radar sees no boats in the set that is made for them, or more that are none than without it.
+    def test_the_boats_of_a_real_marine_radar_have_tracks(self):
+        false = collections.Counter()
+        for name in marine_recording.NAMES:
+            recording = marine_recording.Recording(os.path.join(SHARED, "data", "marine_autoferry"), name)
+            with tempfile.NamedTemporaryFile("w", suffix=".csv") as plots:
+                recording.write_plots(plots)
+                plots.flush()
+                marine = marine_recording.Score(recording, track(plots.name, "--params", MARINE))
+                default = marine_recording.Score(recording, track(plots.name, check=False))
+            with self.subTest(name):
+                self.assertGreaterEqual(marine.completeness, 0.75)
+            false += collections.Counter(marine=marine.false_tracks, default=default.false_tracks)
+        self.assertLess(false["marine"], false["default"])
 
 
 if __name__ == "__main__":
