@@ -13,6 +13,7 @@ import rosunit
 from tws_msgs.msg import OperatorRequest, Tracks
 from tws_msgs.srv import DropTrack, InitiateTrack, InitiateTrackRequest, OperatorCommand, OperatorCommandRequest
 
+from graph_test_kit import check_same
 from whole_graph_test import command, late, launch, launch_beside, offline, tracks
 
 DURATION = 60  # of data time [s]
@@ -105,11 +106,7 @@ class OperatorTest(unittest.TestCase):
     def check_same(self, bag):
         self.assertEqual(late(self.live), {}, "this machine was too slow for the comparison")
         self.assertEqual(late(bag), {}, "this machine was too slow for the comparison")
-        lives, others = tracks(self.live), tracks(bag)
-        length = min(len(lives), len(others))
-        self.assertLessEqual(max(len(lives), len(others)) - length, 10)
-        different = [i for i in range(length) if lives[i] != others[i]]
-        self.assertFalse(different, f"{len(different)} of {length} messages differ, the first is number {different[:1]}")
+        check_same(tracks(self.live), tracks(bag))
         asked = [[(m.request, m.running_sector, m.result, m.tracks)
                   for m in self.messages(b, "/adit/operator_requests") if m.result != m.BUSY]
                  for b in (self.live, bag)]

@@ -13,6 +13,7 @@ import yaml
 from tws_msgs.msg import ElevationRequests, OperatorRequest
 
 from adit_operator_test import Operator
+from graph_test_kit import check_same
 from whole_graph_test import command, late, launch, launch_beside, offline, tracks
 
 DURATION = 115  # of data time [s]
@@ -107,20 +108,15 @@ class ElevationTest(unittest.TestCase):
                 self.assertLess(ground, update.range)
                 self.assertAlmostEqual(math.sqrt(ground ** 2 + (update.position.z - ANTENNA) ** 2), update.range, delta=0.1)
 
-    def check_same(self, first, second, topics):
+    def check_runs(self, first, second, topics):
         for bag in (first, second):
             self.assertEqual(late(bag), {}, "this machine was too slow for the comparison")
         for topic in topics:
-            one, two = tracks(first, topic), tracks(second, topic)
-            length = min(len(one), len(two))
-            self.assertGreater(length, 5, topic)
-            self.assertLessEqual(max(len(one), len(two)) - length, END, topic)
-            different = [i for i in range(length) if one[i] != two[i]]
-            self.assertFalse(different, f"{topic}: {len(different)} of {length} messages differ, the first is number {different[:1]}")
+            check_same(tracks(first, topic), tracks(second, topic), topic, least=6, apart=END)
 
     def test_an_offline_run_and_a_replay_of_the_bag_give_the_same(self):
-        self.check_same(self.live, offline(self.live, self.folder / "offline"), TOPICS[:2])
-        self.check_same(self.live, launch("replay.launch", self.folder / "replay.bag", rate=12, bag=self.live), TOPICS[:2])
+        self.check_runs(self.live, offline(self.live, self.folder / "offline"), TOPICS[:2])
+        self.check_runs(self.live, launch("replay.launch", self.folder / "replay.bag", rate=12, bag=self.live), TOPICS[:2])
 
     def test_the_closed_loop_gives_the_same_live_and_offline_and_never_more_than_eight_a_scan(self):
         """All of 45 aircraft are designated as soon as they are firm: more than can be searched for on four scans."""
@@ -133,7 +129,7 @@ class ElevationTest(unittest.TestCase):
         file.write_text(yaml.safe_dump({**scene, "duration_s": 90}))
         params.write_text(yaml.safe_dump(parameters))
         launch("run.launch", live, rate=10, scenario=file, duration=90, params=params)
-        self.check_same(live, offline(file, self.folder / "many", "--params", params), TOPICS)
+        self.check_runs(live, offline(file, self.folder / "many", "--params", params), TOPICS)
         lists = [len(m.requests) for m in messages(live, "/sps39/elevation_requests")]
         self.assertEqual(max(lists), 8)
         self.assertGreater(lists.count(8), 2)

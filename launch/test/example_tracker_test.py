@@ -11,7 +11,7 @@ import unittest
 import rosbag
 import rosunit
 
-from graph_test_kit import launch_line
+from graph_test_kit import check_same, launch_line
 from graph_test_kit import message_bytes as tracks
 
 EXAMPLE = pathlib.Path(__file__).parent / "example_tracker"
@@ -50,12 +50,7 @@ class ExampleTrackerTest(unittest.TestCase):
 
     def check_same(self, bag):
         for topic in TOPICS:
-            lives, others = tracks(self.live, topic), tracks(bag, topic)
-            length = min(len(lives), len(others))
-            self.assertGreater(length, 100, topic)
-            self.assertLessEqual(max(len(lives), len(others)) - length, 10, topic)
-            different = [i for i in range(length) if lives[i] != others[i]]
-            self.assertFalse(different, f"{topic}: {len(different)} of {length} messages differ, the first is number {different[:1]}")
+            check_same(tracks(self.live, topic), tracks(bag, topic), topic)
 
     def test_it_follows_the_aircraft_and_is_scored(self):
         firm = {track.uid for message in messages(self.live, "/nearest/tracks") for track in message.tracks if track.state == track.FIRM}

@@ -16,6 +16,16 @@ def message_bytes(bag, topic="/adit/tracks"):
         return [raw[1][4:] for _, raw, _ in opened.read_messages([topic], raw=True)]
 
 
+def check_same(lives, others, of="", least=100, apart=10):
+    """Two runs' messages must be equal as far as the shorter one goes, which may have been stopped a few, `apart`, earlier."""
+    length = min(len(lives), len(others))
+    if length < least or max(len(lives), len(others)) - length > apart:
+        raise AssertionError(f"{of}: {len(lives)} messages against {len(others)}, wanted: {least} or more, and no more than {apart} apart")
+    different = [i for i in range(length) if lives[i] != others[i]]
+    if different:
+        raise AssertionError(f"{of}: {len(different)} of {length} messages differ, the first is number {different[0]}")
+
+
 def launch_line(file, record, **arguments):
     return ["roslaunch", "--no-summary", "tws_launch", file, f"record:={record}", "rviz:=false",
             *(f"{name}:={value}" for name, value in arguments.items())]

@@ -12,6 +12,7 @@ import rosunit
 from geometry_msgs.msg import PointStamped
 from tws_msgs.msg import OperatorRequest, Tracks
 from tws_msgs.srv import DropTrack
+from graph_test_kit import check_same
 from whole_graph_test import command, late, launch, launch_beside, offline, tracks
 
 DURATION = 30  # of data time [s]
@@ -64,12 +65,7 @@ class OperatorTest(unittest.TestCase):
     def check_same(self, bag, run):
         self.assertEqual(late(bag), {}, f"{run}: this machine was too slow for the comparison")
         for topic in ("/tws/tracks", "/tws/windows"):
-            lives, others = tracks(self.live, topic), tracks(bag, topic)
-            length = min(len(lives), len(others))
-            self.assertGreater(length, 250, f"{run}: nothing to compare on {topic}")
-            different = [i for i in range(length) if lives[i] != others[i]]
-            self.assertFalse(different,
-                             f"{run}, {topic}: {len(different)} of {length} messages differ, the first is number {different[:1]}")
+            check_same(tracks(self.live, topic), tracks(bag, topic), f"{run}, {topic}", least=250)
         self.assertEqual(len(tracks(bag, "/window_tracker/operator_requests")), 3, run)
 
     def test_the_requests_take_effect(self):

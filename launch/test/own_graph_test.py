@@ -14,6 +14,8 @@ import rosunit
 from nodelet.srv import NodeletList, NodeletLoad, NodeletUnload
 from tws_msgs.msg import Tracks
 
+from graph_test_kit import check_same
+
 TRACKERS = ["/inside/adit", "/outside/adit", "/outside/second", "/remapped/adit", "/remapped/told"]
 SCENARIO = pathlib.Path(__file__).parents[1] / "scenarios" / "one_aircraft.yaml"
 # What a class cannot be loaded without.
@@ -83,10 +85,7 @@ class OwnGraphTest(unittest.TestCase):
         wait_for(lambda: all(len(tracks) >= len(cls.expected) - 10 for tracks in cls.tracks.values()))
 
     def check_same_as_offline(self, tracker):
-        length = min(len(self.tracks[tracker]), len(self.expected))
-        self.assertGreaterEqual(length, len(self.expected) - 10)
-        different = [i for i in range(length) if without_names(self.tracks[tracker][i]) != self.expected[i]]
-        self.assertFalse(different, f"{len(different)} of {length} messages differ, the first is number {different[:1]}")
+        check_same([without_names(tracks) for tracks in self.tracks[tracker]], self.expected, tracker)
 
     def test_nodelets_give_the_tracks_of_an_offline_run(self):
         self.check_same_as_offline("/inside/adit")

@@ -8,6 +8,7 @@ import unittest
 import rosbag
 import rosunit
 
+from graph_test_kit import check_same
 from whole_graph_test import RADARS, command, late, launch, offline, tracks
 
 DURATION = 40  # of data time [s]
@@ -26,12 +27,7 @@ class TwoSitesTest(unittest.TestCase):
     def check_same(self, bag):
         self.assertEqual(late(self.live), {}, "this machine was too slow for the comparison")
         self.assertEqual(late(bag), {}, "this machine was too slow for the comparison")
-        lives, others = tracks(self.live), tracks(bag)
-        length = min(len(lives), len(others))
-        self.assertGreater(length, 100)
-        self.assertLessEqual(max(len(lives), len(others)) - length, 10)
-        different = [i for i in range(length) if lives[i] != others[i]]
-        self.assertFalse(different, f"{len(different)} of {length} messages differ, the first is number {different[:1]}")
+        check_same(tracks(self.live), tracks(bag))
 
     def test_both_sites_hold_the_same_firm_tracks(self):
         with rosbag.Bag(str(self.live)) as bag:

@@ -14,7 +14,7 @@ import rospy
 import rosunit
 import yaml
 
-from graph_test_kit import in_time, late, launch_line
+from graph_test_kit import check_same, in_time, late, launch_line
 from graph_test_kit import message_bytes as tracks
 
 SCENARIO = "full"
@@ -103,17 +103,9 @@ class WholeGraphTest(unittest.TestCase):
         command("rm", "-rf", cls.folder)
 
     def check_same_tracks(self, bag, run):
-        """Equal up to the last input; one of the two may have been stopped a few messages earlier."""
         self.assertEqual(late(bag), {}, f"{run}: this machine was too slow for the comparison")
         for topic in TRACK_TOPICS:
-            self.check_same_bytes(tracks(self.live, topic), tracks(bag, topic), run, topic)
-
-    def check_same_bytes(self, lives, others, run, topic):
-        length = min(len(lives), len(others))
-        self.assertGreater(length, 100, f"{run}: nothing to compare on {topic}")
-        self.assertLessEqual(max(len(lives), len(others)) - length, 10, run)
-        different = [i for i in range(length) if lives[i] != others[i]]
-        self.assertFalse(different, f"{run}, {topic}: {len(different)} of {length} messages differ, the first is number {different[:1]}")
+            check_same(tracks(self.live, topic), tracks(bag, topic), f"{run}, {topic}")
 
     def test_the_live_run_has_firm_tracks_and_loses_nothing(self):
         self.assertEqual(late(self.live), {}, "this machine was too slow for the test")
@@ -158,7 +150,7 @@ class WholeGraphTest(unittest.TestCase):
                 "offline from the bag": offline(live, self.folder / "fed_again")}
         for run, bag in bags.items():
             for topic in ("/primary/tracks", "/secondary/tracks", "/correlated/tracks"):
-                self.check_same_bytes(tracks(live, topic), tracks(bag, topic), run, topic)
+                check_same(tracks(live, topic), tracks(bag, topic), f"{run}, {topic}")
         identities = {}
         for _, message, _ in rosbag.Bag(str(live)).read_messages(["/correlated/tracks"]):
             for update in message.tracks:
@@ -185,8 +177,7 @@ class WholeGraphTest(unittest.TestCase):
         bag = offline(f"{command('rospack', 'find', 'tws_launch').strip()}/scenarios/{SCENARIO}.yaml", self.folder / "offline",
                       "--duration", DURATION)
         self.check_same_tracks(bag, "offline from the scenario")
-        self.check_same_bytes(tracks(self.live, "/esa/dwell_reports"), tracks(bag, "/esa/dwell_reports"), "offline from the scenario",
-                              "/esa/dwell_reports")
+        check_same(*(tracks(of, "/esa/dwell_reports") for of in (self.live, bag)), "offline from the scenario, /esa/dwell_reports")
         self.assertEqual(publications(bag), publications(self.live))
 
     def test_nodelets_of_one_manager_give_the_same_tracks(self):
