@@ -113,14 +113,16 @@ void addSpread(PlanarMotion& to, const PlanarMotion& from, double weight) {
   to.velocity.yy += weight * (from.velocity.yy + dvy * dvy);
 }
 
+void addMean(PlanarMotion& to, const PlanarMotion& from, double weight) {
+  to.x += weight * from.x;
+  to.y += weight * from.y;
+  to.vx += weight * from.vx;
+  to.vy += weight * from.vy;
+}
+
 PlanarMotion meanOf(const States& states, const Weights& weights) {
   PlanarMotion result;
-  for (std::size_t i = 0; i < states.size(); ++i) {
-    result.x += weights[i] * states[i].x;
-    result.y += weights[i] * states[i].y;
-    result.vx += weights[i] * states[i].vx;
-    result.vy += weights[i] * states[i].vy;
-  }
+  for (std::size_t i = 0; i < states.size(); ++i) addMean(result, states[i], weights[i]);
   return result;
 }
 
@@ -198,6 +200,10 @@ void MultipleModelFilter::start(const PlanarPosition& z, const MultipleModelPara
   first.position = z.covariance;
   first.velocity = {params.speed_sigma * params.speed_sigma, 0.0, params.speed_sigma * params.speed_sigma};
   state_.fill(first);
+  if (params.fast_speed_sigma > 0.0) {
+    const double fast = params.fast_speed_sigma * params.fast_speed_sigma;
+    state_[1].velocity = state_[2].velocity = {fast, 0.0, fast};
+  }
   const double straight = params.straight_time / (params.straight_time + params.turning_time);
   probability_ = {straight, 0.5 * (1.0 - straight), 0.5 * (1.0 - straight)};
 }
@@ -232,6 +238,11 @@ void MultipleModelFilter::mix(double dt, const MultipleModelParams& params) {
 double MultipleModelFilter::update(const PlanarPosition& z, double dt, const MultipleModelParams& params) {
   mix(dt, params);
   move(state_, dt, params);
+  return correctBy(z, dt, params);
+}
+
+/// The measurement alone, after the move of dt [s].
+double MultipleModelFilter::correctBy(const PlanarPosition& z, double dt, const MultipleModelParams& params) {
   const bool manoeuvre =
       params.manoeuvre_acceleration > 0.0 &&
       std::all_of(state_.begin(), state_.end(), [&](const PlanarMotion& s) { return surprise(s, z) > kSurprise; });
@@ -249,6 +260,39 @@ double MultipleModelFilter::update(const PlanarPosition& z, double dt, const Mul
   // A floor keeps a model from dying for good by underflow.
   for (double& p : probability_) p = std::max(p / sum, 1e-12);
   return std::log(sum) - 0.5 * least - kLogTwoPi + (manoeuvre ? kLogManoeuvre : 0.0);
+}
+
+void MultipleModelFilter::update(const std::vector<Weighed>& measurements, double missed, double dt,
+                                 const MultipleModelParams& params) {
+  mix(dt, params);
+  move(state_, dt, params);
+  std::vector<MultipleModelFilter> cases;
+  cases.reserve(measurements.size() + 1);
+  const auto add = [&](double chance) {
+    for (double& p : cases.back().probability_) p *= chance;
+  };
+  cases.push_back(*this);
+  add(missed);
+  for (const Weighed& z : measurements) {
+    cases.push_back(*this);
+    cases.back().correctBy(z.position, dt, params);
+    add(z.chance);
+  }
+  for (std::size_t model = 0; model < kModels; ++model) merge(cases, model);
+}
+
+/// One model in all cases becomes one Gaussian; its probability is what those of the cases add up to.
+void MultipleModelFilter::merge(const std::vector<MultipleModelFilter>& cases, std::size_t model) {
+  double sum = 0.0;
+  for (const auto& c : cases) sum += c.probability_[model];
+  PlanarMotion result;
+  for (const auto& c : cases) addMean(result, c.state_[model], c.probability_[model] / sum);
+  for (const auto& c : cases) {
+    const double weight = c.probability_[model] / sum;
+    if (weight > 0.0) addSpread(result, c.state_[model], weight);
+  }
+  state_[model] = result;
+  probability_[model] = std::max(sum, 1e-12);
 }
 
 void MultipleModelFilter::shift(double dx, double dy) {

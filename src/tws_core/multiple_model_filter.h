@@ -23,6 +23,8 @@ struct MultipleModelParams {
   // axis) [m/s²]; 0: never.
   double manoeuvre_acceleration = 10.0;
   double speed_sigma = 150.0;  // Of each velocity component before it is known [m/s].
+  // The same in the turning models, so that the mixture of all is not blind to what is much faster; 0: `speed_sigma`.
+  double fast_speed_sigma = 0.0;
   // Where slant ranges are measured from [m]; empty: from the origin alone.
   struct Place {
     double x, y;
@@ -47,6 +49,17 @@ class MultipleModelFilter {
   /// [1/m²].
   double update(const PlanarPosition& measurement, double dt, const MultipleModelParams& params);
 
+  /// A measurement, and the chance that it is the target's.
+  struct Weighed {
+    PlanarPosition position;
+    double chance;
+  };
+
+  /// Moves on by dt [s] ≥ 0 and corrects by one of several measurements or none, nobody knows which: `missed` is the
+  /// chance of none, and all chances add up to 1. Each model becomes one Gaussian with the mean and covariance of all
+  /// these cases.
+  void update(const std::vector<Weighed>& measurements, double missed, double dt, const MultipleModelParams& params);
+
   /// Moves the target, as it is known, by so much [m].
   void shift(double dx, double dy);
 
@@ -69,6 +82,9 @@ class MultipleModelFilter {
 
  private:
   void mix(double dt, const MultipleModelParams& params);
+  double correctBy(const PlanarPosition& measurement, double dt, const MultipleModelParams& params);
+
+  void merge(const std::vector<MultipleModelFilter>& cases, std::size_t model);
 
   std::array<PlanarMotion, kModels> state_;
   std::array<double, kModels> probability_{};

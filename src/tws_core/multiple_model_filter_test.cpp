@@ -287,6 +287,49 @@ TEST(MultipleModelFilter, WithoutManoeuvresAFarPlotHasTheTextbooksLikelihood) {
   EXPECT_NEAR(filter.update(z, 4.0, dense.params), dense.update(z, 4.0), 1e-6);
 }
 
+// Of one measurement that is surely the target's, or of none, the weighed update is what the plain one or time makes.
+TEST(MultipleModelFilter, AWeighedUpdateInTheSureCasesIsThePlainOne) {
+  const MultipleModelParams params = textbook();
+  const PlanarPosition z{700.0, 100.0, {10000.0, 0.0, 20000.0}};
+  MultipleModelFilter plain = straightFlight(params), weighed = plain, missed = plain;
+  plain.update(z, 4.0, params);
+  weighed.update({{z, 1.0}}, 0.0, 4.0, params);
+  EXPECT_TRUE(meanOf(weighed.mean()).isApprox(meanOf(plain.mean()), 1e-9));
+  EXPECT_NEAR(weighed.straightProbability(), plain.straightProbability(), 1e-9);
+  const PlanarMotion before = missed.predict(4.0, params);
+  missed.update({}, 1.0, 4.0, params);
+  EXPECT_NEAR(missed.mean().x, before.x, 5.0);  // Models mix as time goes.
+}
+
+// Half of one measurement, half of none: the mean lies in the middle, and the spread of both is in the covariance.
+TEST(MultipleModelFilter, AWeighedUpdateIsTheMixtureOfItsCases) {
+  MultipleModelParams params = textbook();
+  params.manoeuvre_acceleration = 0.0;
+  const MultipleModelFilter start = straightFlight(params);
+  PlanarPosition z = start.predictPosition(4.0, params);
+  z.covariance = {10000.0, 0.0, 10000.0};
+  PlanarPosition left = z, right = z;
+  left.y += 300.0;
+  right.y -= 300.0;
+  MultipleModelFilter both = start, one = start;
+  both.update({{left, 0.5}, {right, 0.5}}, 0.0, 4.0, params);
+  one.update(z, 4.0, params);
+  EXPECT_NEAR(both.mean().y, one.mean().y, 5.0);
+  EXPECT_GT(both.predict(0.0, params).position.yy, one.predict(0.0, params).position.yy + 1000.0);
+}
+
+// If this fails, a fast aircraft's second plot is outside of its gate.
+TEST(MultipleModelFilter, AFastSpeedSigmaWidensTheGateOfANewTrack) {
+  MultipleModelParams params = textbook();
+  PlanarPosition z;
+  z.covariance = {10000.0, 0.0, 10000.0};
+  MultipleModelFilter usual, wide;
+  usual.start(z, params);
+  params.fast_speed_sigma = 3.0 * params.speed_sigma;
+  wide.start(z, params);
+  EXPECT_GT(wide.predictPosition(6.0, params).covariance.xx, 2.0 * usual.predictPosition(6.0, params).covariance.xx);
+}
+
 // If this fails, aircraft at a height are lost when they pass near the site.
 TEST(MultipleModelFilter, AFlightAtTheAssumedHeightStaysWithinItsGateNearTheSite) {
   MultipleModelParams params = textbook();
