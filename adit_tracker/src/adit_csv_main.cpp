@@ -158,7 +158,7 @@ class Run {
                    "radar %-13s period %.4f s, range sigma %.0f m, azimuth sigma %.3f deg, %.1f false plots a scan\n",
                    adit_.params().radars[i].name.c_str(), adit_.params().radars[i].period,
                    adit_.radars().quality(i).rangeSigma(), tws::degrees(adit_.radars().quality(i).azimuthSigma()),
-                   adit_.radars().quality(i).falsePlots());
+                   adit_.radars().quality(i).falsePlotMap().perScan());
     }
   }
 

@@ -72,6 +72,9 @@ void checkGates(const AditParams& params) {
   if (params.life == TrackLife::kExistence && params.gates != GateKind::kStatistical) {
     throw std::invalid_argument("life: the chance of existence needs statistical gates");
   }
+  if (params.association == Association::kChances && params.life != TrackLife::kExistence) {
+    throw std::invalid_argument("association: chances need the chance of existence (life)");
+  }
 }
 
 constexpr double feet(double value) { return value * tws::kMetresPerFoot; }
@@ -111,6 +114,7 @@ bool isFaster(double range_rate, double azimuth_rate, double range, double speed
 
 AditParams AditParams::named(const std::string& name) {
   AditParams p;
+  p.turning.fast_speed_sigma = 220.0;
   p.track_gates = reportGates();
   p.clutter.gate.range = feet(2000.0);
   p.clutter.gate.azimuth = tws::radians(1.4);
@@ -127,6 +131,7 @@ AditParams AditParams::named(const std::string& name) {
   p.bifurcation = false;
   p.parting.firm_updates = 3;  // there is no other evidence
   p.gates = GateKind::kFixed;
+  p.association = Association::kPasses;
   p.life = TrackLife::kTimers;
   p.alpha_beta.damping = 0.9;
   p.alpha_beta.omega_min = 0.1;

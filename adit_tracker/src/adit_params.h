@@ -41,6 +41,9 @@ enum class FilterKind { kAlphaBeta, kTurning };
 /// The report's fixed regions, or regions from the filter's covariance.
 enum class GateKind { kFixed, kStatistical };
 
+/// The report's five passes, each track to the closest plot that is left; or by the chances of all ways to pair them.
+enum class Association { kPasses, kChances };
+
 /// The clutter map. A common map is shared by all radars.
 struct ClutterParams {
   bool per_radar = true;  // The report's "dual clutter map".
@@ -78,7 +81,7 @@ struct TimerParams {
 /// Life of tracks by the chance of existence (Musicki, Evans & Stankovic, IEEE Trans. AC 39(6), 1994).
 struct ExistenceParams {
   double new_targets = 1.0;               // Expected number of new targets a scan, against the radar's false plots.
-  double firm_probability = 0.99;         // A tentative track becomes firm above it …
+  double firm_probability = 0.97;         // A tentative track becomes firm above it …
   long firm_updates = 3;                  // … with at least so many detections,
   double moving_evidence = 2.0;           // and that much log-likelihood in favour of movement over a fixed place.
   double drop_probability = 0.001;        // A firm track is dropped below it,
@@ -125,6 +128,8 @@ struct AditParams {
   std::array<Gate, kGates> track_gates;                                    // Fixed: CRT, CAT.
   std::array<double, kGates> gate_distances = {2.0, 4.0, 7.0, 11.0, 1e9};  // Statistical: limits of the distance …
   double gate_sigmas = 5.0;  // … and of the innovation, in standard deviations.
+
+  Association association = Association::kChances;
 
   TrackLife life = TrackLife::kExistence;
   TimerParams timers;

@@ -99,6 +99,7 @@ void readFilters(ParameterReader& reader, AditParams& p) {
   turning.number("assumed_height_m", p.turning.assumed_height, 0.0, 50000.0);
   turning.number("manoeuvre_acceleration", p.turning.manoeuvre_acceleration, 0.0, 1000.0);
   turning.number("speed_sigma_mps", p.turning.speed_sigma, 0.1, 1e5);
+  turning.number("fast_speed_sigma_mps", p.turning.fast_speed_sigma, 0.0, 1e5);
   turning.done();
 }
 
@@ -198,6 +199,7 @@ AditParams readAditParams(ParameterReader& reader, const std::string& default_se
   readGates(reader.map("track_gates"), p.track_gates);
   readGateDistances(reader, p.gate_distances);
   reader.number("gate_sigmas", p.gate_sigmas, 0.5, 20.0);
+  choice(reader, "association", p.association, {{"passes", Association::kPasses}, {"chances", Association::kChances}});
   readLife(reader, p);
   readClutter(reader, p);
   reader.flag("bifurcation", p.bifurcation);

@@ -92,7 +92,7 @@ void ClutterMap::take(ClutterPoint& point, Detection& detection, std::size_t rad
   const bool absorbs = absorbing(point);
   ++point.hits;
   if (absorbs) {
-    detection.used = true;
+    detection.use();
     ++absorbed_;
   } else {
     detection.claim = point.number;

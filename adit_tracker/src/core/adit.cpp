@@ -4,6 +4,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "core/stray_plots.h"
+
 namespace adit_tracker {
 namespace {
 
@@ -121,7 +123,7 @@ void Adit::pass(const tws::SectorRef& sector, bool map_clutter) {
   tracks_.markSkipped();
   ++counts_.skipped_sectors;
   if (map_clutter) mapClutter({sector.radar, sector.running + kClutterAhead});
-  for (Detection& detection : radars_.at(sector.radar).detections.at(sector.running).detections) detection.used = true;
+  for (Detection& detection : radars_.at(sector.radar).detections.at(sector.running).detections) detection.use();
   primary_.clear();
   meeting_.list(sector, primary_);
   for (const auto slot : primary_) {
@@ -146,9 +148,9 @@ void Adit::mapClutter(const tws::SectorRef& sector) {
     plot.time = point.last_update;
     plot.range = point.range;
     plot.azimuth = point.azimuth;
-    Track* const track = startTrack(sector.radar, plot);
-    if (track == nullptr) continue;
-    track->updated = point.updated;  // with one map for all, another radar may have detected it last
+    const auto slot = startTrack(sector.radar, plot);
+    if (!slot) continue;
+    tracks_.at(*slot).updated = point.updated;  // with one map for all, another radar may have detected it last
     ++counts_.to_track;
   }
 }
@@ -167,10 +169,11 @@ void Adit::correlate(const tws::SectorRef& sector) {
   if (params_.bifurcation) bifurcation_.share(file, tracks_.motion(), correlator_, pairs, primary_, radar, sector);
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     if (i + kFetchAhead < pairs.size()) file.fetchAhead(pairs[i + kFetchAhead].slot);
-    update(sector, pairs[i].slot, *pairs[i].detection);
+    pairs[i].weighed ? updateWeighed(sector, pairs[i]) : update(sector, pairs[i].slot, *pairs[i].detection);
   }
+  duplicates_.end(pairs, tracks_, !params_.bifurcation || radar.quality.merging() < 0.5);
   for (const auto slot : primary_) {
-    if (NextMeeting::metOnThisScan(tracks_.at(slot), sector)) continue;
+    if (NextMeeting::metOnThisScan(tracks_.at(slot), sector) || tracks_.isDropped(slot)) continue;
     const Detection* const shared = bifurcation_.mergedPlotOf(slot);
     shared ? share(sector, slot, *shared) : miss(sector, slot);
   }
@@ -185,6 +188,24 @@ void Adit::update(const tws::SectorRef& sector, TrackFile::Slot slot, Detection&
   meeting_.predict(track, siteOf(sector));
 }
 
+/// What is merged in another track's detection, or shares its own, is left to the rules of bifurcation; so is, where
+/// heights are guessed, the choice of one detection.
+void Adit::updateWeighed(const tws::SectorRef& sector, const Correlation& correlation) {
+  Track& track = tracks_.at(correlation.slot);
+  Detection* const detection = correlation.detection;
+  const bool alone = tracks_.motion().joined() || (detection && bifurcation_.asSeenBy(track, *detection));
+  if (alone && detection) return update(sector, correlation.slot, *detection);
+  if (alone || (!detection && bifurcation_.mergedPlotOf(correlation.slot))) return;
+  const bool claimed = detection && detection->claim != Detection::kNoClaim;
+  const auto first = correlator_.chances().begin();
+  plots_.assign(first + static_cast<std::ptrdiff_t>(correlation.first),
+                first + static_cast<std::ptrdiff_t>(correlation.last));
+  if (!detection) suspectStrays(track, radars_.at(sector.radar), sector.running);
+  if (!tracks_.updateWeighed(correlation, plots_, sector, claimed && params_.clutter.yields_to_tracks)) return;
+  if (claimed && clutterYieldsTo(track)) clutter_.disclaim(detection->claim, sector.radar);
+  meeting_.predict(track, siteOf(sector));
+}
+
 /// Illuminated and not detected by itself: it is merged in the detection of another track, if it still is another one.
 void Adit::share(const tws::SectorRef& sector, TrackFile::Slot slot, const Detection& detection) {
   Track& track = tracks_.at(slot);
@@ -194,6 +215,8 @@ void Adit::share(const tws::SectorRef& sector, TrackFile::Slot slot, const Detec
 }
 
 void Adit::miss(const tws::SectorRef& sector, TrackFile::Slot slot) {
+  if (params_.association == Association::kChances)
+    suspectStrays(tracks_.at(slot), radars_.at(sector.radar), sector.running);
   if (tracks_.miss(slot, sector)) meeting_.predict(tracks_.at(slot), siteOf(sector));
 }
 
@@ -233,37 +256,60 @@ void Adit::moveOn(const tws::SectorRef& sector) {
 }
 
 /// What neither clutter nor tracks have used starts both: the clutter point will go on being updated, or the track
-/// will.
+/// will. What may well be a track's starts nothing.
 void Adit::initiate(const tws::SectorRef& sector) {
+  constexpr double kRatherNew = 0.97;
+  const std::int64_t behind = sector.running - kInitiationBehind;
   RadarState& radar = radars_.at(sector.radar);
-  std::size_t unused = 0;
-  for (Detection& detection : radar.detections.at(sector.running - kInitiationBehind).detections) {
-    if (detection.used) continue;
+  for (Detection& detection : radar.detections.at(behind).detections) {
+    TrackFile::Slot track = detection.taker;
+    if (!detection.used && detection.left > kRatherNew && !detection.isTaken()) {
+      detection.used = true;
+      track = startTrackOrBranch(sector, detection);
+      if (detection.claim == Detection::kNoClaim) clutter_.initiate(detection.plot, sector.radar);
+    }
     detection.used = true;
-    ++unused;
-    startTrackOrBranch(sector, detection);
-    if (detection.claim == Detection::kNoClaim) clutter_.initiate(detection.plot, sector.radar);
+    if (detection.left > 0.0) learnFalse({sector.radar, behind}, detection, track);
   }
-  radar.quality.learnFalsePlots(unused);
+  radar.quality.falsePlotMap().close(tws::Antenna::sectorNumber(behind));
 }
 
-Track* Adit::startTrack(std::size_t radar, const tws::Plot& plot) {
+/// As far as no track has made it, a plot is false. `slot`: of the track that has taken it or begins with it;
+/// Detection::kNoTaker: there is none. If it is tentative, it remembers that its own plot was counted.
+void Adit::learnFalse(const tws::SectorRef& sector, const Detection& detection, TrackFile::Slot slot) {
+  radars_.at(sector.radar)
+      .quality.falsePlotMap()
+      .add(tws::Antenna::sectorNumber(sector.running), detection.plot.range, detection.left);
+  if (slot == Detection::kNoTaker || tracks_.file().sector(slot, siteOf(sector)) < 0) return;
+  Track& track = tracks_.at(slot);
+  if (track.firm || track.updated[sector.radar] != detection.plot.time) return;
+  float& counted = track.counted_false[sector.radar];
+  counted = static_cast<float>(FalsePlotMap::kKept * counted + detection.left);
+}
+
+std::optional<TrackFile::Slot> Adit::startTrack(std::size_t radar, const tws::Plot& plot) {
   const auto slot = tracks_.create(radar, plot);
-  if (!slot) return nullptr;
+  if (!slot) return std::nullopt;
   // Met in a sector that is behind the front or at most a few ahead of it.
   tracks_.start(*slot, radar, tws::Antenna::near(plot.azimuth, order_.front(radar)));
   meeting_.enter(*slot, radars_.at(radar).site);
-  return &tracks_.at(*slot);
+  return slot;
 }
 
-void Adit::startTrackOrBranch(const tws::SectorRef& sector, const Detection& detection) {
+/// Returns its slot; Detection::kNoTaker: none was started.
+TrackFile::Slot Adit::startTrackOrBranch(const tws::SectorRef& sector, const Detection& detection) {
   RadarState& radar = radars_.at(sector.radar);
   const auto parting =
       params_.bifurcation ? bifurcation_.partingOf(tracks_.file(), detection, radar, sector) : std::nullopt;
-  Track* const track = startTrack(sector.radar, detection.plot);
-  if (track == nullptr || !parting) return;
-  tracks_.branch(*track, *parting, sector.radar);
-  meeting_.predict(*track, radar.site);
+  const auto slot = startTrack(sector.radar, detection.plot);
+  if (!slot) return Detection::kNoTaker;
+  Track& track = tracks_.at(*slot);
+  tracks_.doubtFirst(track, detection.left * detection.fresh);
+  if (parting) {
+    tracks_.branch(track, *parting, sector.radar);
+    meeting_.predict(track, radar.site);
+  }
+  return *slot;
 }
 
 }  // namespace adit_tracker

@@ -10,6 +10,7 @@
 #include "clutter/clutter_maps.h"
 #include "core/bifurcation.h"
 #include "core/correlator.h"
+#include "core/duplicate_tracks.h"
 #include "core/manual_control.h"
 #include "core/next_meeting.h"
 #include "core/radars.h"
@@ -78,6 +79,7 @@ class Adit {
   void mapClutter(const tws::SectorRef& sector);
   void correlate(const tws::SectorRef& sector);
   void update(const tws::SectorRef& sector, TrackFile::Slot slot, Detection& detection);
+  void updateWeighed(const tws::SectorRef& sector, const Correlation& correlation);
   void share(const tws::SectorRef& sector, TrackFile::Slot slot, const Detection& detection);
   void miss(const tws::SectorRef& sector, TrackFile::Slot slot);
   bool clutterYieldsTo(const Track& track) const;
@@ -85,9 +87,10 @@ class Adit {
   void convert(const tws::SectorRef& sector, TrackFile::Slot slot);
   void moveOn(const tws::SectorRef& sector);
   void initiate(const tws::SectorRef& sector);
-  /// nullptr: there is no number left.
-  Track* startTrack(std::size_t radar, const tws::Plot& plot);
-  void startTrackOrBranch(const tws::SectorRef& sector, const Detection& detection);
+  void learnFalse(const tws::SectorRef& sector, const Detection& detection, TrackFile::Slot slot);
+  /// Nothing: there is no number left.
+  std::optional<TrackFile::Slot> startTrack(std::size_t radar, const tws::Plot& plot);
+  TrackFile::Slot startTrackOrBranch(const tws::SectorRef& sector, const Detection& detection);
   std::size_t siteOf(const tws::SectorRef& sector) const { return radars_.at(sector.radar).site; }
 
   AditParams params_;
@@ -101,11 +104,13 @@ class Adit {
   ClutterMaps clutter_;
   Correlator correlator_;
   Bifurcation bifurcation_;
+  DuplicateTracks duplicates_;
   IffWatch iff_;
   ManualControl manual_;
 
   // Of the sector being processed; kept to save allocations.
   Slots primary_, secondary_;
+  std::vector<PlotChance> plots_;
 };
 
 /// Takes a sector in and processes what has become ready, for a caller that may be away for long.

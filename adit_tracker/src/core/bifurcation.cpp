@@ -76,6 +76,26 @@ Bifurcation::Reach Bifurcation::cellOf(const RadarQuality& quality) const {
           params_.parting.cell_azimuth_sigmas * quality.azimuthSigma()};
 }
 
+/// Surely in one cell, if tracks as firm as these two are anywhere.
+bool Bifurcation::areWithinHalf(const Reach& cell, const Track& a, const Track& b) {
+  const Prediction &p = a.predicted, &q = b.predicted;
+  return a.firm && b.firm && std::abs(p.range - q.range) < 0.5 * cell.range &&
+         std::abs(tws::angularDifference(p.azimuth, q.azimuth)) < 0.5 * cell.azimuth;
+}
+
+/// Two tracks in one cell that have each got a detection: this radar tells them apart.
+void Bifurcation::learnResolution(const Run& run, const std::vector<Correlation>& pairs) const {
+  const Reach cell = cellOf(run.radar.quality);
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    if (!pairs[i].weighed || pairs[i].detection == nullptr) continue;
+    for (std::size_t j = i + 1; j < pairs.size() && pairs[j].weighed && pairs[j].cluster == pairs[i].cluster; ++j) {
+      const bool both = pairs[j].detection != nullptr && pairs[j].detection != pairs[i].detection;
+      if (both && areWithinHalf(cell, run.tracks.at(pairs[i].slot), run.tracks.at(pairs[j].slot)))
+        run.radar.quality.learnMerging(0.0);
+    }
+  }
+}
+
 /// Does the radar see both as one, and is the plot rather of both than of the taker alone? Where the powers
 /// of both fluctuate alike, the merged plot lies anywhere on the line between them with equal chance.
 std::optional<Bifurcation::Shared> Bifurcation::shareOf(const Run& run, const Track& hidden, const Track& taker,
@@ -104,9 +124,10 @@ std::optional<Bifurcation::Shared> Bifurcation::shareOf(const Run& run, const Tr
   const double middle_along = b.along + 0.5 * along, middle_across = b.across + 0.5 * across;
   if (merged.mahalanobis(middle_along, middle_across) > kGreatestMiss * kGreatestMiss) return std::nullopt;
   const double there = hidden.detection_probability[run.sector.radar] * hidden.existence;
-  const double as_both = there * density(merged, middle_along, middle_across);
+  const double as_both = there * quality.merging() * density(merged, middle_along, middle_across);
   const double as_taker = (1.0 - there) * density(b.covariance, b.along, b.across);
   const double chance = as_both / (as_both + as_taker);
+  if (areWithinHalf(cell, hidden, taker)) run.radar.quality.learnMerging(chance);
   if (chance < kSurelyBoth) return std::nullopt;
   // The hidden one is half the distance further on; of the taker, that is so by that chance only.
   const double spread = std::sqrt(1.0 / 12.0), half = 0.5 * chance;
@@ -154,9 +175,12 @@ void Bifurcation::share(const TrackFile& tracks, const TrackMotion& motion, cons
   shared_.erase(std::remove_if(shared_.begin(), shared_.end(), isOld), shared_.end());
   now_ = shared_.size();
   correlated_.clear();
-  for (const Correlation& pair : pairs) correlated_.push_back(pair.slot);
+  for (const Correlation& pair : pairs) {
+    if (pair.detection != nullptr) correlated_.push_back(pair.slot);
+  }
   std::sort(correlated_.begin(), correlated_.end());
   const Run run{tracks, motion, correlator, radar, sector};
+  learnResolution(run, pairs);
   for (const auto slot : primary) {
     if (!std::binary_search(correlated_.begin(), correlated_.end(), slot)) tryToShare(run, slot);
   }
@@ -207,7 +231,7 @@ std::optional<Parting> Bifurcation::partingOf(const TrackFile& tracks, const Det
   const Reach reach = partingReach(plot, radar);
   std::optional<Parting> nearest;
   const auto consider = [&](const Detection& other, double by_range, double by_azimuth) {
-    if (!other.used || other.taker == Detection::kNoTaker || isShared(other)) return;
+    if (!other.isGiven() || isShared(other)) return;
     const Track& track = tracks.at(other.taker);
     if (!track.firm || track.updated[sector.radar] != other.plot.time) return;
     const double along = -by_range, across = -plot.range * by_azimuth;
@@ -237,7 +261,8 @@ void Bifurcation::weigh(Parting& parting, const Track& parent, const tws::Plot& 
         parting.sigma_along);
   guess(parting.across, cell.azimuth * plot.range, plot.range * radar.quality.azimuthSigma(), period,
         parting.rate_across, parting.sigma_across);
-  const double false_plots = 4.0 * reach.range * plot.range * reach.azimuth * radar.quality.falseDensity();
+  const double false_plots =
+      4.0 * reach.range * plot.range * reach.azimuth * radar.quality.falsePlotMap().density(plot.range, plot.azimuth);
   parting.chance = params_.parting.per_scan / (params_.parting.per_scan + false_plots);
 }
 

@@ -70,6 +70,8 @@ class Bifurcation {
     RadarState& radar;
     const tws::SectorRef& sector;
   };
+  static bool areWithinHalf(const Reach& cell, const Track& a, const Track& b);
+  void learnResolution(const Run& run, const std::vector<Correlation>& pairs) const;
   void tryToShare(const Run& run, TrackFile::Slot slot);
   std::optional<Shared> shareOf(const Run& run, const Track& hidden, const Track& taker,
                                 const Detection& detection) const;

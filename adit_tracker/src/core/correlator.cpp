@@ -10,6 +10,18 @@
 namespace adit_tracker {
 namespace {
 constexpr double kManoeuvreSigmas = 3.0;  // half-width of the region of a hard manoeuvre, standard deviations
+constexpr double kHardManoeuvre = 0.01;   // chance of one
+// A tentative track, of which there may be many, does not ask for a detection that is so much likelier a false one.
+constexpr double kHardlyOwn = 0.02;
+
+tws::Symmetric2 widened(const tws::Symmetric2& covariance, double variance) {
+  return {covariance.xx + variance, covariance.xy, covariance.yy + variance};
+}
+
+double density(const tws::Symmetric2& covariance, double along, double across) {
+  return std::exp(-0.5 * covariance.mahalanobis(along, across)) /
+         (2.0 * tws::kPi * std::sqrt(covariance.determinant()));
+}
 }  // namespace
 
 std::size_t Correlator::smallestGate(const Track& track, double range_difference, double azimuth_difference,
@@ -31,22 +43,29 @@ std::size_t Correlator::smallestGate(const Track& track, double range_difference
   const double squared = p.innovation.mahalanobis(range_difference, cross_range);
   distance = squared + p.log_volume;
   if (squared > greatest) {
-    if (p.manoeuvre == 0.0) return kGates;
+    if (manoeuvreOf(track) == 0.0) return kGates;
     // What only a hard manoeuvre explains comes last of all.
-    const tws::Symmetric2 wide{p.innovation.xx + p.manoeuvre, p.innovation.xy, p.innovation.yy + p.manoeuvre};
-    return wide.mahalanobis(range_difference, cross_range) <= kManoeuvreSigmas * kManoeuvreSigmas ? kGates - 1 : kGates;
+    const double wide = widened(p.innovation, p.manoeuvre).mahalanobis(range_difference, cross_range);
+    return wide <= kManoeuvreSigmas * kManoeuvreSigmas ? kGates - 1 : kGates;
   }
   std::size_t g = 0;
   while (g + 1 < kGates && distance > params_.gate_distances[g]) ++g;
   return g;
 }
 
+/// Variance that a hard manoeuvre adds. Where chances count, a tentative track makes none.
+double Correlator::manoeuvreOf(const Track& track) const {
+  return byChances() && !track.firm ? 0.0 : track.predicted.manoeuvre;
+}
+
 /// The half-widths of the largest region.
-Correlator::Reach Correlator::reachOf(const Prediction& p) const {
+Correlator::Reach Correlator::reachOf(const Track& track) const {
+  const Prediction& p = track.predicted;
+  const double manoeuvre = manoeuvreOf(track);
   if (params_.gates == GateKind::kFixed) return {params_.track_gates.back().range, params_.track_gates.back().azimuth};
   const auto halfWidth = [&](double variance) {
     const double usual = params_.gate_sigmas * std::sqrt(variance);
-    return p.manoeuvre == 0.0 ? usual : std::max(usual, kManoeuvreSigmas * std::sqrt(variance + p.manoeuvre));
+    return manoeuvre == 0.0 ? usual : std::max(usual, kManoeuvreSigmas * std::sqrt(variance + manoeuvre));
   };
   return {halfWidth(p.innovation.xx), halfWidth(p.innovation.yy) / p.range};
 }
@@ -86,6 +105,29 @@ bool Correlator::Frontier::meets(const Prediction& middle, const Reach& reach) c
   return false;
 }
 
+/// Fills in the likelihood. False: a tentative track leaves such a detection alone.
+bool Correlator::mayBeOf(const Track& track, Candidate& candidate, double range_difference, double azimuth_difference,
+                         const RadarQuality& quality) const {
+  const Prediction& p = track.predicted;
+  const double across = p.range * azimuth_difference, manoeuvre = manoeuvreOf(track);
+  candidate.likelihood = density(p.innovation, range_difference, across);
+  if (manoeuvre > 0.0)
+    candidate.likelihood += kHardManoeuvre * density(widened(p.innovation, manoeuvre), range_difference, across);
+  Detection& detection = *candidate.detection;
+  if (detection.asked_in != run_) {
+    detection.asked_in = run_;
+    detection.askers = 0;
+    detection.index = Detection::kNoIndex;
+    detection.false_density = quality.falsePlotMap().density(detection.plot.range, detection.plot.azimuth);
+  }
+  if (track.firm) return true;
+  const double own = track.counted_false[p.radar];
+  if (own > 0.0)
+    candidate.likelihood *= detection.false_density /
+                            quality.falsePlotMap().densityAround(own, detection.plot.range, detection.plot.azimuth);
+  return detection.left * candidate.likelihood > kHardlyOwn * detection.false_density;
+}
+
 void Correlator::gather(const Track& track, const Asker& asker, RadarState& radar) {
   const Prediction& p = track.predicted;
   Entry entry{asker.slot, asker.order, asker.primary, false, candidates_.size(), 0};
@@ -95,7 +137,9 @@ void Correlator::gather(const Track& track, const Asker& asker, RadarState& rada
     if (gate == kGates) return;
     // A branch takes what all others leave: else it would live on its parent's detections.
     if (track.parent != 0 && !track.firm) gate = kGates - 1;
-    candidates_.push_back({&detection, distance, gate});
+    Candidate candidate{&detection, distance, gate};
+    if (byChances() && !mayBeOf(track, candidate, range_difference, azimuth_difference, radar.quality)) return;
+    candidates_.push_back(candidate);
     frontier_.add(p.range + range_difference, p.azimuth + azimuth_difference);
   };
   for (std::int64_t s = asker.sector - 1; s <= asker.sector + 1; ++s) {
@@ -110,7 +154,7 @@ void Correlator::gatherPrimary(const TrackFile& tracks, const std::vector<TrackF
   std::size_t order = 0;
   for (const auto slot : slots) {
     const Track& track = tracks.at(slot);
-    gather(track, {slot, order++, true, running, reachOf(track.predicted), true}, radar);
+    gather(track, {slot, order++, true, running, reachOf(track), true}, radar);
   }
 }
 
@@ -121,7 +165,7 @@ void Correlator::gatherSecondary(const TrackFile& tracks, const std::vector<Trac
   secondary_.clear();
   for (const auto slot : slots) {
     const std::int64_t sector = running + tws::sectorDifference(tracks.sector(slot, site), here);
-    secondary_.push_back({slot, secondary_.size(), false, sector, reachOf(tracks.at(slot).predicted), false});
+    secondary_.push_back({slot, secondary_.size(), false, sector, reachOf(tracks.at(slot)), false});
   }
   const std::size_t primary = entries_.size();
   for (bool grown = true; grown;) {
@@ -135,6 +179,11 @@ void Correlator::gatherSecondary(const TrackFile& tracks, const std::vector<Trac
   }
   std::sort(entries_.begin() + static_cast<std::ptrdiff_t>(primary), entries_.end(),
             [](const Entry& a, const Entry& b) { return a.order < b.order; });
+}
+
+ClusterWeigher::Resolution Correlator::resolutionOf(const RadarQuality& quality) const {
+  return {params_.parting.cell_range_sigmas * quality.rangeSigma(),
+          params_.parting.cell_azimuth_sigmas * quality.azimuthSigma(), params_.bifurcation ? quality.merging() : 0.0};
 }
 
 Detection* Correlator::closest(const Entry& entry, std::size_t gate) const {
@@ -154,8 +203,9 @@ void Correlator::pass(std::size_t gate) {
     if (detection == nullptr) continue;
     entry.correlated = true;
     detection->taker = entry.slot;
+    detection->promised = !entry.primary;
     if (entry.primary) {
-      detection->used = true;
+      detection->use();
       correlations_.push_back({entry.slot, detection});
     } else {
       detection->flagged_in = run_;
@@ -175,7 +225,11 @@ const std::vector<Correlation>& Correlator::correlate(const TrackFile& tracks,
   gatherPrimary(tracks, primary, radar, running);
   if (candidates_.empty()) return correlations_;
   gatherSecondary(tracks, secondary, radar, running, site);
-  for (std::size_t gate = 0; gate < kGates; ++gate) pass(gate);
+  if (byChances()) {
+    weigher_.weigh(tracks, entries_, candidates_, resolutionOf(radar.quality), run_, correlations_);
+  } else {
+    for (std::size_t gate = 0; gate < kGates; ++gate) pass(gate);
+  }
   return correlations_;
 }
 

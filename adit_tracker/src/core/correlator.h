@@ -4,31 +4,31 @@
 #include <vector>
 
 #include "adit_params.h"
+#include "core/candidates.h"
+#include "core/cluster_weigher.h"
 #include "core/radar_state.h"
 #include "core/track_file.h"
 
 namespace adit_tracker {
 
-/// A detection given to a track in the primary sector.
-struct Correlation {
-  TrackFile::Slot slot;
-  Detection* detection;
-};
-
-/// The report's track correlator: several passes through the tracks with growing regions, so that the closest pairs are
-/// made first. Tracks of two sectors ahead take part without being updated: what is closer to them is not taken by a
-/// track in the primary sector; those that cannot matter are passed over. Cost of a sector: its tracks × the detections
-/// in range of the largest region.
+/// Which track gets which detection. The report's track correlator: several passes through the tracks with growing
+/// regions, so that the closest pairs are made first. Tracks of two sectors ahead take part without being updated: what
+/// is closer to them is not taken by a track in the primary sector; those that cannot matter are passed over. Cost of a
+/// sector: its tracks × the detections in range of the largest region. `association: chances` gathers the same tracks
+/// and detections and gives them to the ClusterWeigher in place of the passes.
 class Correlator {
  public:
   explicit Correlator(const AditParams& params) : params_(params) {}
 
   /// `primary`: tracks in the running sector that may be updated; `secondary`: those of the two sectors ahead; both in
   /// order of the sector files of the radar's site (firm first). Each track's prediction must be for this radar. The
-  /// detections given away are marked as used.
+  /// detections given away are marked as used, or as what is left of them.
   const std::vector<Correlation>& correlate(const TrackFile& tracks, const std::vector<TrackFile::Slot>& primary,
                                             const std::vector<TrackFile::Slot>& secondary, RadarState& radar,
                                             std::int64_t running, std::size_t site = 0);
+
+  /// What the weighed correlations of the last run refer to.
+  const std::vector<PlotChance>& chances() const { return weigher_.chances(); }
 
   /// Of the last run: calls `take(slot)` for each secondary track in whose region lay detections, but none was left for
   /// it.
@@ -40,15 +40,10 @@ class Correlator {
   }
   /// Was the detection given to a track, in the last run or before it?
   bool isTaken(const Detection& detection) const {
-    return detection.taker != Detection::kNoTaker && (detection.used || detection.flagged_in == run_);
+    return detection.isGiven() || (detection.taker != Detection::kNoTaker && detection.flagged_in == run_);
   }
 
  private:
-  struct Candidate {
-    Detection* detection;
-    double distance;
-    std::size_t gate;  // the smallest region that holds it
-  };
   struct Reach {
     double range, azimuth;
   };
@@ -60,13 +55,6 @@ class Correlator {
     std::int64_t sector;  // running number
     Reach reach;
     bool asked;
-  };
-  struct Entry {
-    TrackFile::Slot slot;
-    std::size_t order;
-    bool primary;
-    bool correlated;
-    std::size_t first, last;  // its candidates
   };
 
   /// How far clockwise the candidates lie, by range.
@@ -86,7 +74,12 @@ class Correlator {
     std::vector<double> farthest_;
   };
 
-  Reach reachOf(const Prediction& prediction) const;
+  bool byChances() const { return params_.association == Association::kChances; }
+  double manoeuvreOf(const Track& track) const;
+  ClusterWeigher::Resolution resolutionOf(const RadarQuality& quality) const;
+  Reach reachOf(const Track& track) const;
+  bool mayBeOf(const Track& track, Candidate& candidate, double range_difference, double azimuth_difference,
+               const RadarQuality& quality) const;
   void gather(const Track& track, const Asker& asker, RadarState& radar);
   void gatherPrimary(const TrackFile& tracks, const std::vector<TrackFile::Slot>& slots, RadarState& radar,
                      std::int64_t running);
@@ -105,6 +98,7 @@ class Correlator {
   std::vector<Entry> entries_;
   std::vector<Candidate> candidates_;
   std::vector<Correlation> correlations_;
+  ClusterWeigher weigher_;
 };
 
 }  // namespace adit_tracker

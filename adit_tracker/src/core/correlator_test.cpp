@@ -126,6 +126,19 @@ TEST_F(CorrelatorTest, ATrackInASecondarySectorKeepsItsDetection) {
   EXPECT_TRUE(used(21, 50.1e3));
 }
 
+// If this fails, a plot that such a track wanted and then did not take starts no track.
+TEST_F(CorrelatorTest, WhatIsPromisedToASecondaryTrackIsNotTakenYet) {
+  track(50000.0, 5.5 * kSector);
+  detections({{50000.0, 5.5 * kSector}});
+  track(50000.0, 4.9 * kSector);  // so that there is something to correlate
+  correlate(4);
+  const Detection& detection = radar_.detections.at(64 * turn_ + 5).detections[0];
+  EXPECT_NE(detection.taker, Detection::kNoTaker);
+  EXPECT_FALSE(detection.isTaken());
+  correlate(5);
+  EXPECT_TRUE(detection.isTaken());
+}
+
 TEST_F(CorrelatorTest, TakesPartWithTracksTwoSectorsAhead) {
   track(50e3, 20.99 * kSector);
   track(50e3, 22.01 * kSector);
@@ -217,6 +230,7 @@ class StatisticalCorrelatorTest : public CorrelatorTest {
  protected:
   StatisticalCorrelatorTest() {
     params_ = AditParams::named("default");
+    params_.association = Association::kPasses;
     correlator_ = Correlator(params_);
   }
 

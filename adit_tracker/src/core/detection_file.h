@@ -14,11 +14,31 @@ namespace adit_tracker {
 struct Detection {
   tws::Plot plot;
   bool used = false;               // by a track or the clutter map: it is out of the file (NB is one less)
+  double left = 1.0;               // chance that nothing so far has made it: no track, no clutter point
+  double fresh = 1.0;              // chance that it is no stray plot of a track that was missed
   std::uint64_t flagged_in = 0;    // the correlation run in which it proved closer to a track in a secondary sector
   std::uint32_t claim = kNoClaim;  // clutter point on probation that would have taken it
   static constexpr std::uint32_t kNoClaim = 0xffffffff;
   std::uint32_t taker = kNoTaker;  // slot of the track that it was given to, or is flagged for
   static constexpr std::uint32_t kNoTaker = 0xffffffff;
+  bool promised = false;  // to a track whose turn it was not yet
+
+  // Of the correlation run in which it was a candidate last: notes of association by chances.
+  std::uint64_t asked_in = 0, taken_in = 0;  // ... and in which it was given
+  std::uint32_t asked_by = 0, askers = 0;    // the first entry that wants it, and how many do
+  std::uint32_t index = kNoIndex;            // in its cluster
+  static constexpr std::uint32_t kNoIndex = 0xffffffff;
+  double false_density = 0.0;  // of false plots at its place [1/m²]
+
+  /// It is out of the file, for tracks or for good.
+  void use() {
+    used = true;
+    left = 0.0;
+  }
+  /// A track took it when it was its turn.
+  bool isTaken() const { return taker != kNoTaker && !promised; }
+  /// Rather some track's than a new one's.
+  bool isGiven() const { return taker != kNoTaker && (used || left < 0.5); }
 };
 
 /// The detections of one sector of one radar, by range.

@@ -49,16 +49,9 @@ void RadarQuality::learnErrors(double range_deviation, double cross_range_deviat
   setGain(std::max(kLeastGain, 0.985 * gain_));
 }
 
-void RadarQuality::addRange(double range) { greatest_range_ = std::max(greatest_range_, range); }
-
-void RadarQuality::learnFalsePlots(std::size_t unused) {
-  constexpr double kScans = 4.0;  // time constant
-  false_plots_ += (static_cast<double>(unused) * tws::kSectors - false_plots_) / (kScans * tws::kSectors);
-}
-
-double RadarQuality::falseDensity() const {
-  constexpr double kLeastFalsePlots = 0.5;
-  return std::max(false_plots_, kLeastFalsePlots) / (tws::kPi * greatest_range_ * greatest_range_);
+void RadarQuality::learnMerging(double merged) {
+  constexpr double kGain = 0.02;
+  merging_ += kGain * (merged - merging_);
 }
 
 }  // namespace adit_tracker

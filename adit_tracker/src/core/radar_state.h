@@ -6,6 +6,7 @@
 #include <tws_core/antenna.h>
 #include <tws_core/site_frame.h>
 #include "adit_params.h"
+#include "clutter/false_plot_map.h"
 #include "core/detection_file.h"
 
 namespace adit_tracker {
@@ -26,17 +27,14 @@ class RadarQuality {
   /// manoeuvres.
   void learnErrors(double range_deviation, double cross_range_deviation);
 
-  /// A plot has come, at that range: the radar sees at least so far.
-  void addRange(double range);
-  /// A sector ended with so many plots that started something new.
-  void learnFalsePlots(std::size_t unused);
+  /// Two targets within one cell gave one plot with this chance, and not two.
+  void learnMerging(double merged);
+  /// Chance that two targets within one cell give one plot.
+  double merging() const { return merging_; }
 
-  /// The farthest plot so far, at least 10 km [m].
-  double greatestRange() const { return greatest_range_; }
-  /// Expected false plots a scan.
-  double falsePlots() const { return false_plots_; }
-  /// Their density over the area that the radar covers [1/m²].
-  double falseDensity() const;
+  /// Its false plots.
+  FalsePlotMap& falsePlotMap() { return false_plots_; }
+  const FalsePlotMap& falsePlotMap() const { return false_plots_; }
 
  private:
   void setGain(double gain);
@@ -45,8 +43,8 @@ class RadarQuality {
   double least_range_sigma_, least_azimuth_sigma_, greatest_range_sigma_, greatest_azimuth_sigma_;
   bool learn_;
   double gain_ = 0.0, grown_ = 1.0, shrunk_ = 1.0;
-  double greatest_range_ = 10e3;
-  double false_plots_ = 5.0;
+  double merging_ = 0.9;
+  FalsePlotMap false_plots_;
 };
 
 /// One radar as the tracker sees it.

@@ -59,14 +59,12 @@ TEST(RadarQuality, NeverLearnsBeyondItsLimits) {
   EXPECT_DOUBLE_EQ(narrow.rangeSigma(), 10.0);
 }
 
-// If this fails, the chance of existence weighs plots by a wrong density of false ones.
-TEST(RadarQuality, LearnsHowManyFalsePlotsThereAre) {
+// If this fails, a radar that tells close aircraft apart still hides one behind the other.
+TEST(RadarQuality, LearnsWhetherItTellsCloseTargetsApart) {
   RadarQuality quality(params(), true);
-  quality.addRange(100e3);
-  quality.addRange(20e3);
-  for (int sector = 0; sector < 64 * 40; ++sector) quality.learnFalsePlots(sector % 4 == 0 ? 2 : 0);  // 32 a scan
-  EXPECT_NEAR(quality.falsePlots(), 32.0, 0.5);
-  EXPECT_NEAR(quality.falseDensity(), quality.falsePlots() / (3.14159265 * 1e10), 1e-12);
+  EXPECT_DOUBLE_EQ(quality.merging(), 0.9);
+  for (int pair = 0; pair < 100; ++pair) quality.learnMerging(pair % 5 == 0 ? 1.0 : 0.0);
+  EXPECT_NEAR(quality.merging(), 0.2 + 0.7 * std::pow(0.98, 100), 0.05);
 }
 
 }  // namespace

@@ -67,7 +67,7 @@ void SectorIntake::admit(const tws::SectorRef& sector) {
     radar.antenna.cross(next.running, next.enter_time);
     radar.antenna.cross(next.running + 1, next.leave_time);
     radar.detections.add(next);
-    for (const tws::Plot& plot : next.plots) radar.quality.addRange(plot.range);
+    for (const tws::Plot& plot : next.plots) radar.quality.falsePlotMap().addRange(plot.range);
   }
 }
 

@@ -71,6 +71,7 @@ struct alignas(64) Track {
   std::uint32_t parent = 0;        // uid of the track that it has split from; 0: none
   float existence = 1.0F;          // chance that it follows a target
   float first_existence = 1.0F;    // the same at its first detection
+  std::array<float, kMaxRadars> counted_false{};  // of its plots as a tentative one, in each radar's map of false plots
   std::array<float, kMaxRadars>
       detection_probability;               // by each radar, as this track has shown so far: radars fade apart
   std::array<double, kMaxRadars> updated;  // by each radar, TT12 and TT39; kNever

@@ -50,7 +50,7 @@ std::optional<TrackBook::Slot> TrackBook::create(std::size_t radar, const tws::P
   }
   Track& track = tracks_.at(*slot);
   motion_.start(track, plot, radars_.quality(radar), radar);
-  judge_.started(track, radars_.quality(radar));
+  judge_.started(track, radars_.quality(radar).falsePlotMap().perScanAsAt(plot.range, plot.azimuth));
   heights_.update(track.uid, plot);
   track.apart = plot.time;
   if (radars_.severalSites()) doubtOtherSites(track, radar);
@@ -69,6 +69,11 @@ void TrackBook::doubtOtherSites(Track& track, std::size_t radar) const {
   for (std::size_t other = 0; other < radars_.size(); ++other) {
     if (radars_.at(other).site != radars_.at(radar).site) track.detection_probability[other] = kPerhaps;
   }
+}
+
+void TrackBook::doubtFirst(Track& track, double own) const {
+  track.existence *= static_cast<float>(own);
+  track.first_existence *= static_cast<float>(own);
 }
 
 void TrackBook::start(Slot slot, std::size_t radar, double unwrapped_azimuth) {
@@ -111,8 +116,39 @@ void TrackBook::update(Slot slot, const tws::SectorRef& sector, RadarQuality& qu
   track.updated[sector.radar] = plot.time;
   track.illuminated[sector.radar] = tws::Antenna::near(plot.azimuth, sector.running);
   track.detected_by = static_cast<std::uint16_t>(track.detected_by | 1U << sector.radar);
-  if (judge_.updated(track, sector.radar, log_likelihood, quality, !disputed)) ++counts_.tracks_firm;
+  const double own = track.firm ? 0.0 : track.counted_false[sector.radar];
+  const double false_density = quality.falsePlotMap().densityAround(own, plot.range, plot.azimuth);
+  if (judge_.updated(track, sector.radar, log_likelihood, false_density, !disputed)) ++counts_.tracks_firm;
   report_.updates.push_back({slot, TrackEvent::kUpdated, track.smoothed.time});
+}
+
+bool TrackBook::updateWeighed(const Correlation& c, const std::vector<PlotChance>& plots, const tws::SectorRef& sector,
+                              bool disputed) {
+  Track& track = tracks_.at(c.slot);
+  const RadarQuality& quality = radars_.quality(sector.radar);
+  const double time = c.detection ? c.detection->plot.time : track.predicted.time;
+  const bool detected = c.missed < 0.5;
+  const auto bit = static_cast<std::uint16_t>(1U << sector.radar);
+  track.illuminated[sector.radar] = tws::Antenna::near(track.predicted.azimuth, sector.running);
+  motion_.update(track, plots, c.missed, time, quality);
+  track.coasting = !detected;
+  track.detected_by = static_cast<std::uint16_t>(detected ? track.detected_by | bit : track.detected_by & ~bit);
+  if (detected) {
+    ++track.updates;
+    track.last_update = std::max(track.last_update, time);
+    track.updated[sector.radar] = time;
+  }
+  if (c.detection != nullptr) {
+    track.apart = time;
+    heights_.update(track.uid, c.detection->plot);
+  }
+  if (judge_.weighed(track, sector.radar, time, c.existence, c.missed, !disputed)) ++counts_.tracks_firm;
+  if (judge_.isOver(track)) {
+    drop(c.slot, time);
+    return false;
+  }
+  report_.updates.push_back({c.slot, detected ? TrackEvent::kUpdated : TrackEvent::kCoasted, time});
+  return true;
 }
 
 void TrackBook::share(Slot slot, const tws::SectorRef& sector, const tws::Plot& plot, const tws::Plot& merged) {
@@ -133,7 +169,7 @@ void TrackBook::share(Slot slot, const tws::SectorRef& sector, const tws::Plot& 
 /// Is the target of one site beyond the reach of the other's radar? Then it is not missed there.
 bool TrackBook::outOfReach(const Track& track, const RadarQuality& quality) const {
   constexpr double kRecently = 30.0;  // [s]
-  return radars_.severalSites() && track.predicted.range > quality.greatestRange() &&
+  return radars_.severalSites() && track.predicted.range > quality.falsePlotMap().greatestRange() &&
          track.predicted.time - track.last_update < kRecently;
 }
 

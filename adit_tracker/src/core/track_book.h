@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/adit_counts.h"
+#include "core/candidates.h"
 #include "core/radars.h"
 #include "core/track_file.h"
 #include "core/track_life.h"
@@ -55,10 +56,15 @@ class TrackBook {
   void start(Slot slot, std::size_t radar, double unwrapped_azimuth);
   /// A track that has just been started flies as its parent did.
   void branch(Track& track, const Parting& parting, std::size_t radar);
+  /// Its first detection may have been another track's: it was its own with this chance.
+  void doubtFirst(Track& track, double own) const;
   /// The detection is the track's own, or `merged` is what it says of one of its unresolved targets.
   /// `disputed`: what a clutter point on probation claims is no evidence of movement.
   void update(Slot slot, const tws::SectorRef& sector, RadarQuality& quality, const tws::Plot& plot,
               const tws::Plot* merged, bool disputed);
+  /// Which of `plots` is the track's own, if any, is known by chances (`c` is weighed). False: the track is dropped.
+  bool updateWeighed(const Correlation& c, const std::vector<PlotChance>& plots, const tws::SectorRef& sector,
+                     bool disputed);
   /// Illuminated and not detected by itself: another track's detection, which says `merged` of it, holds it.
   void share(Slot slot, const tws::SectorRef& sector, const tws::Plot& plot, const tws::Plot& merged);
   /// Illuminated and not detected: the track coasts by its stored velocities, or is dropped: false.

@@ -11,21 +11,21 @@ constexpr float kGreatestChance = 0.99999F;
 constexpr float kDetectionGain = 0.1F;
 constexpr float kLeastDetection = 0.3F, kGreatestDetection = 0.97F;
 
-void learnDetection(float& p, bool detected) {
-  p = std::clamp(p + kDetectionGain * ((detected ? 1.0F : 0.0F) - p), kLeastDetection, kGreatestDetection);
+void learnDetection(float& p, float detected) {
+  p = std::clamp(p + kDetectionGain * (detected - p), kLeastDetection, kGreatestDetection);
 }
 
 /// Bayes: the chance after evidence with this ratio of likelihoods.
-float weighed(float chance, double ratio) {
+float byBayes(float chance, double ratio) {
   const double odds = ratio * chance / (1.0 - chance);
   return std::min(kGreatestChance, static_cast<float>(odds / (1.0 + odds)));
 }
 
 }  // namespace
 
-void TrackJudge::started(Track& track, const RadarQuality& quality) const {
+void TrackJudge::started(Track& track, double false_plots) const {
   const ExistenceParams& e = params_.existence;
-  track.existence = track.first_existence = static_cast<float>(e.new_targets / (e.new_targets + quality.falsePlots()));
+  track.existence = track.first_existence = static_cast<float>(e.new_targets / (e.new_targets + false_plots));
   track.detection_probability.fill(static_cast<float>(e.detection_probability));
   track.last_illumination = track.last_update;
 }
@@ -53,17 +53,34 @@ bool TrackJudge::deservesFirm(const Track& track) const {
          track.fixed.moving_evidence > (branch ? params_.parting.moving_evidence : e.moving_evidence);
 }
 
-bool TrackJudge::updated(Track& track, std::size_t radar, double log_likelihood, const RadarQuality& quality,
+bool TrackJudge::updated(Track& track, std::size_t radar, double log_likelihood, double false_density,
                          bool may_become_firm) const {
   if (params_.life == TrackLife::kExistence) {
     age(track, track.last_update);
-    track.existence = weighed(track.existence,
-                              track.detection_probability[radar] * std::exp(log_likelihood) / quality.falseDensity());
-    learnDetection(track.detection_probability[radar], true);
+    track.existence =
+        byBayes(track.existence, track.detection_probability[radar] * std::exp(log_likelihood) / false_density);
+    learnDetection(track.detection_probability[radar], 1.0F);
   }
+  return becomesFirm(track, may_become_firm);
+}
+
+bool TrackJudge::becomesFirm(Track& track, bool may_become_firm) const {
   if (track.firm || !may_become_firm || !deservesFirm(track)) return false;
   track.firm = true;
   return true;
+}
+
+bool TrackJudge::weighed(Track& track, std::size_t radar, double time, double existence, double missed,
+                         bool may_become_firm) const {
+  track.existence = std::min(kGreatestChance, static_cast<float>(existence));
+  age(track, time);
+  learnDetection(track.detection_probability[radar], static_cast<float>(1.0 - missed));
+  return becomesFirm(track, may_become_firm && missed < 0.5);
+}
+
+bool TrackJudge::isOver(const Track& track) const {
+  const ExistenceParams& e = params_.existence;
+  return track.existence < (track.firm ? e.drop_probability : e.tentative_drop_fraction * track.first_existence);
 }
 
 bool TrackJudge::missed(Track& track, std::size_t radar, double time) const {
@@ -72,11 +89,9 @@ bool TrackJudge::missed(Track& track, std::size_t radar, double time) const {
     return time - track.last_update > kept;
   }
   age(track, time);
-  track.existence = weighed(track.existence, 1.0 - track.detection_probability[radar]);
-  learnDetection(track.detection_probability[radar], false);
-  const ExistenceParams& e = params_.existence;
-  const double least = track.firm ? e.drop_probability : e.tentative_drop_fraction * track.first_existence;
-  return track.existence < least;
+  track.existence = byBayes(track.existence, 1.0 - track.detection_probability[radar]);
+  learnDetection(track.detection_probability[radar], 0.0F);
+  return isOver(track);
 }
 
 }  // namespace adit_tracker

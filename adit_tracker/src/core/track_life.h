@@ -13,10 +13,18 @@ class TrackJudge {
  public:
   explicit TrackJudge(const AditParams& params) : params_(params) {}
 
-  void started(Track& track, const RadarQuality& quality) const;
-  /// A detection with this log-likelihood [1/m²] was used. Returns true when the track has just become firm.
-  bool updated(Track& track, std::size_t radar, double log_likelihood, const RadarQuality& quality,
+  /// `false_plots`: expected a scan, if they came as densely everywhere as there.
+  void started(Track& track, double false_plots) const;
+  /// A detection with this log-likelihood [1/m²] was used, where false plots have this density [1/m²]. Returns true
+  /// when the track has just become firm.
+  bool updated(Track& track, std::size_t radar, double log_likelihood, double false_density,
                bool may_become_firm = true) const;
+  /// The beam has passed at `time`, and what was found leaves the track this chance of existence; `missed` is the
+  /// chance that its target was not detected. Returns true when the track has just become firm.
+  bool weighed(Track& track, std::size_t radar, double time, double existence, double missed,
+               bool may_become_firm = true) const;
+  /// Is the chance of existence too low to go on?
+  bool isOver(const Track& track) const;
   /// The beam has passed at `time` and nothing was found. Returns true when the track is to be dropped.
   bool missed(Track& track, std::size_t radar, double time) const;
   /// The beam has passed at `time`, and what was found may have been this track's target or another one.
@@ -30,6 +38,7 @@ class TrackJudge {
  private:
   void age(Track& track, double time) const;
   bool deservesFirm(const Track& track) const;
+  bool becomesFirm(Track& track, bool may_become_firm) const;
 
   AditParams params_;
 };

@@ -5,7 +5,8 @@
 namespace adit_tracker {
 namespace {
 
-RadarQuality quality() { return RadarQuality(RadarParams{}, false); }
+/// Five false plots a scan within 10 km: 5 / (π·10⁸) = 1.5915e-8 per m².
+constexpr double kFalsePlots = 5.0, kFalseDensity = kFalsePlots / (3.14159265358979 * 1e8);
 
 Track trackUpdatedAt(double first, double last) {
   Track track;
@@ -24,13 +25,13 @@ class TimersTest : public testing::Test {
 // If this fails, the operator sees tentative tracks as firm, or waits longer than the report says.
 TEST_F(TimersTest, FirmIsATrackThatIsUpdatedLaterThan20SecondsAfterItsFirstDetection) {
   Track track = trackUpdatedAt(100.0, 120.0);
-  EXPECT_FALSE(judge_.updated(track, 0, 0.0, quality()));
+  EXPECT_FALSE(judge_.updated(track, 0, 0.0, kFalseDensity));
   EXPECT_FALSE(track.firm);
   track.last_update = 120.1;
-  EXPECT_TRUE(judge_.updated(track, 0, 0.0, quality()));
+  EXPECT_TRUE(judge_.updated(track, 0, 0.0, kFalseDensity));
   EXPECT_TRUE(track.firm);
   EXPECT_TRUE(judge_.confirmed(track));
-  EXPECT_FALSE(judge_.updated(track, 0, 0.0, quality()));  // Only the first time is news.
+  EXPECT_FALSE(judge_.updated(track, 0, 0.0, kFalseDensity));  // Only the first time is news.
 }
 
 TEST_F(TimersTest, BeingAliveFor20SecondsIsNotEnoughToBeFirm) {
@@ -47,9 +48,6 @@ TEST_F(TimersTest, ATentativeTrackIsDroppedAfter9SecondsAndAFirmOneAfter20) {
   EXPECT_FALSE(judge_.missed(track, 0, 130.0));
   EXPECT_TRUE(judge_.missed(track, 0, 130.1));
 }
-
-/// A new radar expects 5 false plots a scan within 10 km: 5 / (π·10⁸) = 1.5915e-8 per m².
-constexpr double kFalseDensity = 5.0 / (3.14159265358979 * 1e8);
 
 class ExistenceTest : public testing::Test {
  protected:
@@ -68,7 +66,7 @@ class ExistenceTest : public testing::Test {
 
   Track started() {
     Track track = trackUpdatedAt(100.0, 100.0);
-    judge().started(track, quality());
+    judge().started(track, kFalsePlots);
     return track;
   }
   TrackJudge judge() const { return TrackJudge(params_); }
@@ -84,7 +82,7 @@ TEST_F(ExistenceTest, ANewTrackHasTheChanceOfNewTargetsAgainstFalsePlots) {
 // Odds 1/5 · 0.85 · 4e-8 / 1.5915e-8 = 0.42726; chance 0.29936.
 TEST_F(ExistenceTest, ADetectionWeighsByItsLikelihoodAgainstFalsePlots) {
   Track track = started();
-  judge().updated(track, 0, std::log(4e-8), quality());
+  judge().updated(track, 0, std::log(4e-8), kFalseDensity);
   const double odds = 0.2 * 0.85 * 4e-8 / kFalseDensity;
   EXPECT_NEAR(odds, 0.42726, 1e-4);
   EXPECT_NEAR(track.existence, odds / (1.0 + odds), 1e-5);
@@ -113,7 +111,7 @@ TEST_F(ExistenceTest, ATargetMayHaveGoneInTheMeantime) {
   Track track = started();
   track.existence = 0.8F;
   track.last_update = 110.0;
-  judge().updated(track, 0, std::log(kFalseDensity / 0.85), quality());  // A detection that says nothing: ratio 1.
+  judge().updated(track, 0, std::log(kFalseDensity / 0.85), kFalseDensity);  // A detection that says nothing: ratio 1.
   EXPECT_NEAR(track.existence, 0.8 * std::exp(-10.0 / 50.0), 1e-5);
 }
 
@@ -124,7 +122,7 @@ TEST_F(ExistenceTest, FirmNeedsChanceDetectionsAndMovementTogether) {
     track.existence = static_cast<float>(chance);
     track.updates = updates;
     track.fixed.moving_evidence = moving;
-    judge().updated(track, 0, std::log(kFalseDensity / 0.85), quality());
+    judge().updated(track, 0, std::log(kFalseDensity / 0.85), kFalseDensity);
     return track.firm;
   };
   EXPECT_TRUE(firm(0.995, 3, 2.1));
@@ -148,10 +146,31 @@ TEST_F(ExistenceTest, AFirmTrackInDoubtShowsAsTentativeAndGoesBelowOnePercent) {
   EXPECT_TRUE(judge().missed(track, 0, 136.0));   // · 0.49808 = 0.0083.
 }
 
+// Weighed at 0.6, 40 % of it missed: it has aged e^(-10/50) since, and learned 0.85 + 0.1 (0.6 - 0.85).
+TEST_F(ExistenceTest, AWeighedTrackHasTheChanceThatTheWeighingLeavesIt) {
+  params_.existence.survival_time = 50.0;
+  Track track = started();
+  EXPECT_FALSE(judge().weighed(track, 0, 110.0, 0.6, 0.4));
+  EXPECT_NEAR(track.existence, 0.6 * std::exp(-10.0 / 50.0), 1e-5);
+  EXPECT_NEAR(track.detection_probability[0], 0.825, 1e-5);
+}
+
+// If this fails, a track becomes firm on a scan on which it was rather missed.
+TEST_F(ExistenceTest, AWeighedTrackBecomesFirmWhenItWasRatherDetected) {
+  const auto firm = [&](double missed) {
+    Track track = started();
+    track.updates = 3;
+    track.fixed.moving_evidence = 2.1;
+    return judge().weighed(track, 0, 100.0, 0.999, missed);
+  };
+  EXPECT_TRUE(firm(0.4));
+  EXPECT_FALSE(firm(0.6));
+}
+
 // If this fails, one detection too good to be true makes a track immortal.
 TEST_F(ExistenceTest, NoChanceBecomesCertainty) {
   Track track = started();
-  for (int i = 0; i < 50; ++i) judge().updated(track, 0, 100.0, quality());
+  for (int i = 0; i < 50; ++i) judge().updated(track, 0, 100.0, kFalseDensity);
   EXPECT_LT(track.existence, 1.0F);
   int misses = 0;
   while (!judge().missed(track, 0, 100.0)) ASSERT_LT(++misses, 100);

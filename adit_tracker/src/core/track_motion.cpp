@@ -159,6 +159,32 @@ double TrackMotion::update(Track& track, const tws::Plot& plot, const RadarQuali
   return log_likelihood;
 }
 
+void TrackMotion::update(Track& track, const std::vector<PlotChance>& plots, double missed, double time,
+                         const RadarQuality& quality) const {
+  constexpr double kNegligible = 1e-4;
+  tws::MultipleModelFilter& filter = std::get<tws::MultipleModelFilter>(track.filter);
+  const Kinematics& k = track.smoothed;
+  const double dt = std::max(0.0, time - k.time);
+  std::vector<tws::MultipleModelFilter::Weighed> measurements;
+  for (const PlotChance& p : plots) {
+    if (p.chance < kNegligible) {
+      missed += p.chance;
+      continue;
+    }
+    const tws::Plot& plot = p.detection->plot;
+    auto z = tws::planarMeasurement(plot.range, plot.azimuth, quality.rangeSigma(plot), quality.azimuthSigma(plot));
+    z.x -= (plot.time - time) * k.vx;
+    z.y -= (plot.time - time) * k.vy;
+    measurements.push_back({z, p.chance});
+    if (!track.firm && p.chance > 0.5) {
+      tws::MultipleModelFilter copy = filter;
+      track.fixed.moving_evidence += p.chance * (copy.update(z, dt, params_.turning) - updatePlace(track.fixed, z));
+    }
+  }
+  filter.update(measurements, missed, dt, params_.turning);
+  track.smoothed = fromPlanar(filter.mean(), k.time + dt);
+}
+
 void TrackMotion::updatePolar(Track& track, const tws::Plot& plot) const {
   PolarFilter& filter = std::get<PolarFilter>(track.filter);
   // Near a crossing of two beams the order of plots can be inverted; the second one then has T1 = 0 and no weight.

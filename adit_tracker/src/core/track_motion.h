@@ -1,6 +1,7 @@
 #pragma once
 
 #include "adit_params.h"
+#include "core/candidates.h"
 #include "core/radar_state.h"
 #include "core/track.h"
 
@@ -47,6 +48,11 @@ class TrackMotion {
 
   /// Corrects by a detection. Returns the natural logarithm of its likelihood [1/m²]; 0 with the α-β filter.
   double update(Track& track, const tws::Plot& plot, const RadarQuality& quality, std::size_t radar = 0) const;
+
+  /// Corrects by one of several detections or none, nobody knows which, as of `time`, at which the beam met the track.
+  /// `missed`: the chance of none. Radars at one site only.
+  void update(Track& track, const std::vector<PlotChance>& plots, double missed, double time,
+              const RadarQuality& quality) const;
 
   /// Gives a track that has just started the velocity of another one and what they differ by.
   void branch(Track& track, const Track& parent, const Parting& parting, std::size_t radar) const;

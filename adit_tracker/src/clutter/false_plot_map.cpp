@@ -1,0 +1,120 @@
+#include "clutter/false_plot_map.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <tws_core/angles.h>
+
+namespace adit_tracker {
+namespace {
+
+constexpr double kLeastRange = 10e3;      // [m]
+constexpr double kFirstGuess = 5.0;       // false plots a scan, before any have shown …
+constexpr double kGuessScans = 0.5;       // … and how many scans that counts for
+constexpr double kLeastFalsePlots = 0.5;  // a scan
+constexpr double kPriorPlots = 2.0;       // weight of what a larger cell says
+constexpr double kMany = 200.0;           // a scan, if they came as densely everywhere: there, a few matter little
+
+}  // namespace
+
+FalsePlotMap::FalsePlotMap()
+    : greatest_range_(kLeastRange),
+      bin_(kLeastRange / kBins),
+      cells_(static_cast<std::size_t>(kLevels * tws::kSectors * kBins)) {}
+
+double FalsePlotMap::area() const { return tws::kPi * greatest_range_ * greatest_range_; }
+
+int FalsePlotMap::binOf(double range) const {
+  return static_cast<int>(std::clamp(range / bin_, 0.0, static_cast<double>(kBins - 1)));
+}
+
+void FalsePlotMap::addRange(double range) {
+  greatest_range_ = std::max(greatest_range_, range);
+  while (greatest_range_ > kBins * bin_) widen();
+}
+
+/// Two bins become one.
+void FalsePlotMap::widen() {
+  bin_ *= 2.0;
+  for (int sector = 0; sector < tws::kSectors; ++sector) {
+    for (int bin = 0; bin < kBins; ++bin) {
+      const int inner = 2 * bin;
+      Cell sum;
+      for (int half = inner; half < std::min(inner + 2, kBins); ++half) sum.add(at(0, sector, half));
+      at(0, sector, bin) = sum;
+    }
+  }
+  std::fill(cells_.begin() + static_cast<std::ptrdiff_t>(indexOf(1, 0, 0)), cells_.end(), Cell{});
+  for (int sector = 0; sector < tws::kSectors; ++sector) sumUp(sector);
+}
+
+void FalsePlotMap::add(int sector, double range, double chance) { at(0, sector, binOf(range)).plots += chance; }
+
+void FalsePlotMap::close(int sector) {
+  Cell& total = sectors_[static_cast<std::size_t>(sector)];
+  all_.add({-total.plots, -total.exposure});
+  total = {};
+  const int last = binOf(greatest_range_);
+  double from = 0.0;
+  for (int bin = 0; bin <= last; ++bin) {
+    const double to = std::min((bin + 1) * bin_, greatest_range_);
+    Cell& cell = at(0, sector, bin);
+    cell.plots *= kKept;
+    cell.exposure = kKept * (cell.exposure + 0.5 * tws::kSectorWidth * (to * to - from * from));
+    total.add(cell);
+    from = to;
+  }
+  all_.add(total);
+  sumUp(sector);
+  everywhere_ = std::max(kLeastFalsePlots, perScan()) / area();
+}
+
+/// The larger cells that hold those of the sector.
+void FalsePlotMap::sumUp(int sector) {
+  const int last = binOf(greatest_range_);
+  for (int level = 1; level < kLevels; ++level) {
+    const int half = 1 << (level - 1), first = (sector >> level) << level;
+    for (int bin = 0; bin <= last; bin += 2 * half) {
+      Cell sum;
+      for (const int s : {first, first + half}) {
+        for (const int b : {bin, bin + half}) sum.add(at(level - 1, s, b));
+      }
+      at(level, sector, bin) = sum;
+    }
+  }
+}
+
+/// From the largest cell to the smallest, each the prior of the next. What is left out stays in the smallest: counted
+/// in all of them, one plot would be evidence five times over; counted in none, dense places would look thin to all
+/// tracks that false plots have started.
+double FalsePlotMap::estimate(int sector, int bin, double left_out) const {
+  double density = everywhere_;
+  if (bin > binOf(greatest_range_)) return density;
+  for (int level = kLevels - 1; level >= 0; --level) {
+    const Cell& cell = cells_[indexOf(level, sector, bin)];
+    const double plots = std::max(0.0, cell.plots - (level > 0 ? left_out : 0.0));
+    density = (plots + kPriorPlots) / (cell.exposure + kPriorPlots / density);
+  }
+  return density;
+}
+
+double FalsePlotMap::densityAround(double plots, double range, double azimuth) const {
+  const int sector = tws::sectorOf(azimuth);
+  const bool is_new = sectors_[static_cast<std::size_t>(sector)].exposure == 0.0;
+  const double with = density(range, azimuth);
+  return plots == 0.0 || is_new || with * area() > kMany ? with : estimate(sector, binOf(range), plots);
+}
+
+double FalsePlotMap::density(double range, double azimuth) const {
+  const int sector = tws::sectorOf(azimuth);
+  const bool is_new = sectors_[static_cast<std::size_t>(sector)].exposure == 0.0;
+  return is_new ? perScan() / area() : estimate(sector, binOf(range), 0.0);
+}
+
+double FalsePlotMap::perScan() const {
+  Cell sum{kGuessScans * kFirstGuess, kGuessScans * area()};
+  sum.add(all_);
+  return area() * sum.plots / sum.exposure;
+}
+
+}  // namespace adit_tracker

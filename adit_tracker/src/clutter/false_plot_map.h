@@ -1,0 +1,75 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include <tws_core/sectors.h>
+
+namespace adit_tracker {
+
+/// Where a radar's false plots come from: their density over range and azimuth, learned from every plot by the chance
+/// that it was false, and forgotten within some scans.
+///
+/// A cell is a sector wide and as deep as a 64th of the range covered; when a plot comes from beyond, two become one. A
+/// cell that has shown little leans on the larger ones that hold it, of twice the size, four times and so on to all
+/// that the radar covers: its density is the mean of a gamma distribution whose prior weighs as much as two plots. So a
+/// single plot hardly changes the map, and a patch of clutter shows after a few scans.
+///
+/// Cost: five cells for a plot; for a sector, its cells.
+class FalsePlotMap {
+ public:
+  FalsePlotMap();
+
+  /// A plot has come from that range [m]: the radar sees at least so far.
+  void addRange(double range);
+  /// A plot in a sector (0..63), and the chance that it is false.
+  void add(int sector, double range, double chance);
+  /// All plots of that sector on this scan have been added.
+  void close(int sector);
+
+  /// Expected false plots a scan for each area at a place [1/m²].
+  double density(double range, double azimuth) const;
+  /// The same when so many of the plots that have lately been counted around there are a track's own: they speak for
+  /// clutter in their cell, but not in the larger ones that hold it. As `density` where false plots are many.
+  double densityAround(double plots, double range, double azimuth) const;
+  /// How much of a plot still counts when its sector has been closed once more: eight scans are its time constant.
+  static constexpr double kKept = 0.8825;
+  /// Expected false plots a scan.
+  double perScan() const;
+  /// The same if they came as densely everywhere as at that place.
+  double perScanAsAt(double range, double azimuth) const { return area() * density(range, azimuth); }
+  /// The farthest plot so far, at least 10 km [m].
+  double greatestRange() const { return greatest_range_; }
+
+ private:
+  static constexpr int kBins = 64, kLevels = 5;  // cells of 1, 2, 4, 8, 16 sectors and bins
+  /// What a cell has shown lately.
+  struct Cell {
+    double plots = 0.0, exposure = 0.0;  // false ones, and its area [m²] times scans
+
+    void add(const Cell& other) {
+      plots += other.plots;
+      exposure += other.exposure;
+    }
+  };
+
+  double area() const;
+  int binOf(double range) const;
+  static std::size_t indexOf(int level, int sector, int bin) {
+    const auto row = static_cast<std::size_t>(level) * tws::kSectors + static_cast<std::size_t>(sector >> level);
+    return row * kBins + static_cast<std::size_t>(bin >> level);
+  }
+  Cell& at(int level, int sector, int bin) { return cells_[indexOf(level, sector, bin)]; }
+  void widen();
+  void sumUp(int sector);
+  double estimate(int sector, int bin, double left_out) const;
+
+  double greatest_range_;
+  double bin_;                               // depth of one [m]
+  std::vector<Cell> cells_;                  // by level, sector and bin
+  std::array<Cell, tws::kSectors> sectors_;  // sums
+  Cell all_;                                 // the sum of these
+  double everywhere_ = 0.0;                  // density of all that is covered, when a sector was closed last
+};
+
+}  // namespace adit_tracker
