@@ -98,6 +98,8 @@ void makeMarine(AditParams& p) {
   p.turning.assumed_height = 0.0;
   p.turning.manoeuvre_acceleration = 0.5;
   p.turning.speed_sigma = 8.0;
+  p.turning.fast_speed_sigma = 0.0;
+  p.existence.firm_probability = 0.99;
   p.existence.firm_updates = 4;
   p.parting.speed = 5.0;
   p.parting.speed_sigma = 2.0;
