@@ -70,9 +70,12 @@ class Clocks(unittest.TestCase):
             self.assertGreaterEqual(len(run.firm["sps12"]), 0.98 * len(self.healthy.firm["sps12"]), step)
 
     def test_a_clock_that_steps_further_costs_the_other_radar_nothing(self):
+        held = {uid for uid, count in collections.Counter(self.healthy.firm["sps39"]).items() if count > 1}
         for step in ("-3", "3", "-3600"):
             run = Run(f"sps12_clock_step_{step}")
-            self.assertGreaterEqual(len(run.firm["sps39"]), 0.97 * len(self.healthy.firm["sps39"]), step)
+            # By one radar alone a new track becomes firm some updates later; none may be lost.
+            self.assertLessEqual(held, set(run.firm["sps39"]), step)
+            self.assertGreaterEqual(len(run.firm["sps39"]), 0.95 * len(self.healthy.firm["sps39"]), step)
             self.assertEqual(run.counts["set aside"], 2, "its detections and its marks")
             self.assertNotIn("new runs", run.counts)
             self.assertIn("in sps12/", run.said)

@@ -92,12 +92,16 @@ class StartGraph(unittest.TestCase):
             self.assertIn(f"start_graph: the master at {uri} (ROS_MASTER_URI) does not answer", run.communicate(timeout=40)[0])
             self.assertEqual(run.returncode, 1)
 
-    # If this fails, nobody is told that the whole network may command the trackers.
-    def test_a_graph_that_is_open_to_the_network_is_said_to_be(self):
+    # If this fails, nobody is told that the whole network may command the trackers; or a run under an address that is not this machine's
+    # says nothing for minutes, and does not end when it is told to.
+    def test_a_graph_that_is_open_to_the_network_is_said_to_be_and_must_be_reached_there(self):
         del self.environment["ROS_HOSTNAME"]
         self.environment["ROS_IP"] = "192.0.2.1"  # of documents: nobody's
         run = self.started("one_aircraft", "rviz:=false")
-        self.assertIn("open to the network as 192.0.2.1: whoever reaches the ports", run.stdout.readline())
+        said = run.communicate(timeout=30)[0]
+        self.assertEqual(run.returncode, 1, said)
+        self.assertIn("open to the network as 192.0.2.1: whoever reaches the ports", said)
+        self.assertIn("this machine cannot be reached as 192.0.2.1", said)
 
     # If this fails, a run whose simulator is not built waits for it for good.
     def test_a_node_that_cannot_be_started_ends_the_run(self):
