@@ -90,13 +90,31 @@ class Overload : public testing::Test {
     }
   }
 
-  /// Sectors full of clutter, all at once.
+  /// Sectors full of clutter, all at once: the antenna has passed them before the first one's detections come. Returns
+  /// when the tracker is at work on them: a request could overtake them.
   void flood(std::uint32_t sectors) {
     constexpr std::size_t kPlots = 8000;
-    for (const std::uint32_t end = running_ + sectors; running_ < end;) publishSector(kPlots);
+    const std::uint32_t first = running_;
+    std::vector<tws_msgs::Detections> flooded;
+    while (running_ < first + sectors) {
+      flooded.push_back(sectorOf(kPlots));
+      ++running_;
+      publishMark(flooded.back().detections.size());
+    }
+    ros::WallDuration(0.2).sleep();
+    for (const tws_msgs::Detections& sector : flooded) detections_.publish(sector);
+    ASSERT_TRUE(waitFor([&] { return heard_ >= first; })) << "no answer after " << heard_ << " sectors";
   }
 
   void publishSector(std::size_t clutter) {
+    const tws_msgs::Detections sector = sectorOf(clutter);
+    detections_.publish(sector);
+    ++running_;
+    publishMark(sector.detections.size());
+  }
+
+  /// The sector `running_`.
+  tws_msgs::Detections sectorOf(std::size_t clutter) {
     tws_msgs::Detections sector;
     sector.header.frame_id = sector.radar = "sps12";
     sector.header.stamp = ros::Time(timeOf(running_ + 1));
@@ -108,9 +126,7 @@ class Overload : public testing::Test {
     std::uniform_real_distribution<double> range(kClutterBegins, 180e3), place(0.11, 0.99);
     for (std::size_t i = 0; i < clutter; ++i)
       sector.detections.push_back(detection(time, range(random_), running_ + place(random_)));
-    detections_.publish(sector);
-    ++running_;
-    publishMark(sector.detections.size());
+    return sector;
   }
 
   /// The beam enters the sector `running_`.
