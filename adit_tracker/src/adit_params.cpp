@@ -114,6 +114,11 @@ bool isFaster(double range_rate, double azimuth_rate, double range, double speed
   return std::abs(range_rate) > speed || std::abs(azimuth_rate) > params.azimuth_rate;
 }
 
+const std::vector<std::string>& AditParams::sets() {
+  static const std::vector<std::string> sets{"default", "marine", "nrl7952"};
+  return sets;
+}
+
 AditParams AditParams::named(const std::string& name) {
   AditParams p;
   p.turning.fast_speed_sigma = 220.0;

@@ -141,6 +141,8 @@ struct AditParams {
   OperatorParams operators;
   ElevationParams elevation;
 
+  /// The names that named() knows.
+  static const std::vector<std::string>& sets();
   /// The named set without radars: "default"; "marine" for boats and ships; or "nrl7952", the report's letter. Throws
   /// std::invalid_argument.
   static AditParams named(const std::string& name);

@@ -186,7 +186,7 @@ void readElevation(ParameterReader reader, ElevationParams& p) {
 
 AditParams readAditParams(ParameterReader& reader, const std::string& default_set) {
   std::string set = default_set;
-  reader.choice("set", set, {"default", "marine", "nrl7952"});
+  reader.choice("set", set, AditParams::sets());
   AditParams p = AditParams::named(set);
   readRadars(reader, p.radars);
   readIff(reader, p.iff);
@@ -209,7 +209,10 @@ AditParams readAditParams(ParameterReader& reader, const std::string& default_se
   return p;
 }
 
-bool isNamedSet(const std::string& name) { return name == "default" || name == "marine" || name == "nrl7952"; }
+bool isNamedSet(const std::string& name) {
+  const auto& sets = AditParams::sets();
+  return std::find(sets.begin(), sets.end(), name) != sets.end();
+}
 
 AditParams loadAditParams(const std::string& name_or_file) {
   if (isNamedSet(name_or_file)) return AditParams::named(name_or_file);

@@ -85,7 +85,9 @@ class Overload : public testing::Test {
   /// Sectors with the two aircraft alone, no faster than they are answered.
   void flyTo(std::uint32_t sector) {
     while (running_ < sector) {
-      publishSector(0);
+      const tws_msgs::Detections sector = sectorOf(0);
+      detections_.publish(sector);
+      pass(sector);
       ASSERT_TRUE(waitFor([this] { return heard_ + 8 >= running_; })) << "no answer after " << heard_ << " sectors";
     }
   }
@@ -98,17 +100,15 @@ class Overload : public testing::Test {
     std::vector<tws_msgs::Detections> flooded;
     while (running_ < first + sectors) {
       flooded.push_back(sectorOf(kPlots));
-      ++running_;
-      publishMark(flooded.back().detections.size());
+      pass(flooded.back());
     }
     ros::WallDuration(0.2).sleep();
     for (const tws_msgs::Detections& sector : flooded) detections_.publish(sector);
     ASSERT_TRUE(waitFor([&] { return heard_ >= first; })) << "no answer after " << heard_ << " sectors";
   }
 
-  void publishSector(std::size_t clutter) {
-    const tws_msgs::Detections sector = sectorOf(clutter);
-    detections_.publish(sector);
+  /// The beam leaves the sector `running_`.
+  void pass(const tws_msgs::Detections& sector) {
     ++running_;
     publishMark(sector.detections.size());
   }

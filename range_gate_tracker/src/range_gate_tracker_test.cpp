@@ -183,14 +183,14 @@ TEST(RangeGateTracker, SweepsAllRangesForATargetThatIsGone) {
   EXPECT_NEAR(radar.run(1.0).smoothed, 19500.0, 1.0);
 }
 
-/// Looks where it was told to `delay` profiles ago, and beyond `noise_from` there is always something, now here, now
-/// there.
+/// Looks where it was told to as many profiles ago as it has `gates` at first, and beyond `noise_from` there is always
+/// something, now here, now there.
 class NoisyRadar {
  public:
   NoisyRadar(const RangeGateParams& params, std::deque<RangeInterval> gates, double noise_from)
       : radar_(params), gates_(std::move(gates)), noise_from_(noise_from) {}
 
-  /// Seconds until it is locked on a target at `range`; `at_most`: not before.
+  /// Seconds until it is locked on a target at `range`; `at_most`: it is not.
   double timeToLock(double range, double at_most) {
     radar_.target = range;
     for (double time = 0.0; time < at_most; time += kPeriod) {

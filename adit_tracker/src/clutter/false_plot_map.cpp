@@ -100,15 +100,13 @@ double FalsePlotMap::estimate(int sector, int bin, double left_out) const {
 
 double FalsePlotMap::densityAround(double plots, double range, double azimuth) const {
   const int sector = tws::sectorOf(azimuth);
-  const bool is_new = sectors_[static_cast<std::size_t>(sector)].exposure == 0.0;
   const double with = density(range, azimuth);
-  return plots == 0.0 || is_new || with * area() > kMany ? with : estimate(sector, binOf(range), plots);
+  return plots == 0.0 || isNew(sector) || with * area() > kMany ? with : estimate(sector, binOf(range), plots);
 }
 
 double FalsePlotMap::density(double range, double azimuth) const {
   const int sector = tws::sectorOf(azimuth);
-  const bool is_new = sectors_[static_cast<std::size_t>(sector)].exposure == 0.0;
-  return is_new ? perScan() / area() : estimate(sector, binOf(range), 0.0);
+  return isNew(sector) ? perScan() / area() : estimate(sector, binOf(range), 0.0);
 }
 
 double FalsePlotMap::perScan() const {

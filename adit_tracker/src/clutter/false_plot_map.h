@@ -55,6 +55,8 @@ class FalsePlotMap {
 
   double area() const;
   int binOf(double range) const;
+  /// It has not been closed yet.
+  bool isNew(int sector) const { return sectors_[static_cast<std::size_t>(sector)].exposure == 0.0; }
   static std::size_t indexOf(int level, int sector, int bin) {
     const auto row = static_cast<std::size_t>(level) * tws::kSectors + static_cast<std::size_t>(sector >> level);
     return row * kBins + static_cast<std::size_t>(bin >> level);
