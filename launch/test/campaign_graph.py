@@ -15,6 +15,9 @@ from graph_test_kit import free_port
 
 RATE = 4.0  # data time over wall time
 FIRM = 2
+# Their radars look where they are told to: what comes late on a busy machine, or not at all while the node stands, is looked at elsewhere,
+# and a target may be lost and found again under another number.
+CLOSED_LOOPS = {"range_gate_tracker": "/mrs/tracks", "mfa_stub": "/esa/tracks"}
 NEAR = 500.0  # [m]: so near to each other within a second, two tracks are of one target
 
 
@@ -131,24 +134,35 @@ def check(good, text):
 
 def compare(run, reference, before, after, but=None):
     """Tracks that the reference has in both intervals of data time since the start [s]: how many the run has before, and has lost after.
-    Not those on the topic `but`."""
+    Not those on the topic `but`. In a closed loop another track of the same target will do."""
     before, after = (tuple(reference.begin + t for t in interval) for interval in (before, after))
-    result = Outcome()
+    result, where = Outcome(), []
     for topic, updates in reference.firm.items():
         if topic == but:
             continue
         kept = alive(updates, *before) & alive(updates, *after) & alive(run.firm[topic], *before)
-        result += Outcome(len(kept), len(kept - alive(run.firm[topic], *after)))
-    return Outcome(result.tried, result.lost, f"{result.tried - result.lost}/{result.tried} tracks")
+        lost = kept - alive(run.firm[topic], *after)
+        if topic in CLOSED_LOOPS.values():
+            lost -= seen_again(run, reference, topic, lost, after)
+        result += Outcome(len(kept), len(lost))
+        where += [topic] * bool(lost)
+    said = f"{result.tried - result.lost}/{result.tried} tracks"
+    return Outcome(result.tried, result.lost, f"{said}, lost on {' '.join(where)}" if where else said)
+
+
+def seen_again(run, reference, topic, uids, interval):
+    """Those of the reference's tracks on whose target the run has a firm track, too, within the interval [s]."""
+    begin, end = interval
+    found = [(stamp, place) for (_, stamp), place in run.places[topic].items() if begin <= stamp < end]
+    return {uid for (uid, stamp), place in reference.places[topic].items() if uid in uids and begin <= stamp < end
+            and any(abs(other - stamp) < 1.0 and math.dist(there, place) < NEAR for other, there in found)}
 
 
 def found_again(run, reference, topic, before, after):
     """Targets on which the reference has a firm track in both intervals [s of data time]: lost are those where the run has none after."""
-    before, (begin, end) = (tuple(reference.begin + t for t in interval) for interval in (before, after))
-    wanted = alive(reference.firm[topic], *before) & alive(reference.firm[topic], begin, end)
-    found = [(stamp, place) for (_, stamp), place in run.places[topic].items() if begin <= stamp < end]
-    seen = {uid for (uid, stamp), place in reference.places[topic].items() if uid in wanted and begin <= stamp < end
-            and any(abs(other - stamp) < 1.0 and math.dist(there, place) < NEAR for other, there in found)}
+    before, after = (tuple(reference.begin + t for t in interval) for interval in (before, after))
+    wanted = alive(reference.firm[topic], *before) & alive(reference.firm[topic], *after)
+    seen = seen_again(run, reference, topic, wanted, after)
     return Outcome(len(wanted), len(wanted - seen), f"{len(seen)}/{len(wanted)} targets on {topic}")
 
 

@@ -9,7 +9,8 @@ import typing
 
 import yaml
 
-from campaign_graph import RATE, Graph, Outcome, Tracks, check, compare, count_alike, found_again, offline, same_topics, skipped
+from campaign_graph import (CLOSED_LOOPS, RATE, Graph, Outcome, Tracks, check, compare, count_alike, found_again, offline, same_topics,
+                            skipped)
 from campaign_rows_input import INPUT_ROWS, Bench
 
 HERE = pathlib.Path(__file__).resolve().parent
@@ -19,8 +20,6 @@ STOPS = ((40.0, 1.0), (64.0, 6.0), (120.0, 30.0))  # at this data time, for so l
 STOP_DURATION, DURATION, KILL_AT = 280.0, 88.0, 20.0  # [s of data time]
 BEFORE, AFTER = (8.0, 20.0), (60.0, 86.0)
 TRACKERS = ("adit", "ssr_tracker", "window_tracker", "range_gate_tracker", "frame_builder", "mfa_stub", "track_correlator")
-# Their radars look where they are told to: while one stands nobody follows its targets, which must be found again.
-CLOSED_LOOPS = {"range_gate_tracker": "/mrs/tracks", "mfa_stub": "/esa/tracks"}
 FOUND_AGAIN_AFTER = 24.0  # [s of data time]: coasted, widened and swept once; a gap of a second leaves nothing to sweep for
 NOBODY = 65534
 ODD_NAMES = ("two  spaces", "it's \"quoted\"", "März 東京", "-dash", "two\nlines", "percent %s `id`", "a$HOME $name")
