@@ -208,7 +208,11 @@ function(tws_fuzzer name)
   set(test _ctest_${PROJECT_NAME}_fuzz_${name})
   add_test(NAME ${test} COMMAND ${_tws_fuzz_folder}/run ${name} ${PROJECT_SOURCE_DIR}/${arg_CORPUS} ${arg_UNPARSED_ARGUMENTS} -- ${words}
     COMMAND_EXPAND_LISTS)
-  set_tests_properties(${test} PROPERTIES SKIP_RETURN_CODE 77 TIMEOUT 7200 COST 20 ENVIRONMENT "FUZZING_SEEDS=${arg_SEEDS}")
+  set(environment "FUZZING_SEEDS=${arg_SEEDS}")
+  if(TWS_UNITY)
+    list(APPEND environment "FUZZING_UNITS=${CMAKE_SOURCE_DIR}/.ci/unity.py")
+  endif()
+  set_tests_properties(${test} PROPERTIES SKIP_RETURN_CODE 77 TIMEOUT 7200 COST 20 ENVIRONMENT "${environment}")
 endfunction()
 
 # tws_rostest(LAUNCH_FILE [NAME SOURCE...] [NODES NODE...] [LINK LIBRARY...])
