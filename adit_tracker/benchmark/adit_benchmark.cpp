@@ -102,7 +102,7 @@ class World {
   std::vector<Target> targets_;
 };
 
-AditParams paramsFor(const World& world, const std::string& set, long targets) {
+AditParams paramsOfSet(const World& world, const std::string& set, long targets) {
   AditParams params = AditParams::named(set);
   params.capacity = params.clutter.capacity = static_cast<std::uint32_t>(std::min(1000001L, 1000L + 4L * targets));
   for (const char* name : {"sps12", "sps39"}) {
@@ -117,7 +117,7 @@ AditParams paramsFor(const World& world, const std::string& set, long targets) {
 
 void track(benchmark::State& state, const std::string& set, double radius) {
   const World world(state.range(0), radius);
-  const AditParams params = paramsFor(world, set, state.range(0));
+  const AditParams params = paramsOfSet(world, set, state.range(0));
   std::uint64_t detections = 0;
   std::uint32_t tracks = 0;
   for ([[maybe_unused]] auto round : state) {

@@ -7,6 +7,7 @@
 #include <tws_msgs/SectorMark.h>
 #include <tws_msgs/TrackerStatus.h>
 #include <tws_msgs/Tracks.h>
+#include <tws_runtime/live_test_helpers.h>
 
 #include <algorithm>
 #include <cmath>
@@ -21,9 +22,10 @@
 
 namespace {
 
+using tws_runtime::kUnbounded, tws_runtime::waitFor;
+
 constexpr double kTwoPi = 6.283185307179586;
 constexpr double kStart = 1000.0;
-constexpr std::uint32_t kUnbounded = 0;  // queue
 
 geometry_msgs::TransformStamped siteOf(const std::string& radar) {
   geometry_msgs::TransformStamped site;

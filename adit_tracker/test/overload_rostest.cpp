@@ -9,6 +9,7 @@
 #include <tws_msgs/SectorMark.h>
 #include <tws_msgs/TrackerStatus.h>
 #include <tws_msgs/Tracks.h>
+#include <tws_runtime/live_test_helpers.h>
 
 #include <cmath>
 #include <limits>
@@ -22,11 +23,12 @@
 
 namespace {
 
+using tws_runtime::kUnbounded, tws_runtime::waitFor;
+
 constexpr double kTwoPi = 6.283185307179586;
 constexpr double kStart = 1000.0;
 constexpr double kPeriod = 6.0;
 constexpr std::uint32_t kSectors = 64;
-constexpr std::uint32_t kUnbounded = 0;  // queue
 
 double timeOf(std::uint32_t sector) { return kStart + kPeriod / kSectors * sector; }
 

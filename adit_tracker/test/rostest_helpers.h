@@ -6,18 +6,7 @@
 #include <ros/this_node.h>
 #include <xmlrpcpp/XmlRpcClient.h>
 
-#include <functional>
 #include <string>
-
-/// Hears messages until the condition holds. False: it does not within a minute.
-inline bool waitFor(const std::function<bool()>& condition) {
-  const ros::WallTime end = ros::WallTime::now() + ros::WallDuration(60.0);
-  while (!condition() && ros::WallTime::now() < end) {
-    ros::spinOnce();
-    ros::WallDuration(0.001).sleep();
-  }
-  return condition();
-}
 
 /// Does the node `publisher` already send that topic to this process? A subscriber counts a publisher from when it
 /// begins to connect, a little before the other side knows of it: what is sent in between is lost.

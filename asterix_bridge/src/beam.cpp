@@ -104,7 +104,7 @@ bool Beam::learnNow(double now, double fixed) {
 // Nothing: there is not enough to see a rotation, or what was added shows none. A period that is known may be outdated.
 std::optional<tws::Rotation> Beam::fit() const {
   constexpr std::size_t kFew = 5, kEnough = 30;
-  const std::vector<tws::TimedAzimuth> points(points_.begin(), points_.end());
+  const tws::TimedAzimuths points(points_.begin(), points_.end());
   try {
     if (period_ && points.size() >= kFew) return tws::Rotation::fromPlots(points, *period_);
   } catch (const std::invalid_argument&) {
@@ -178,8 +178,8 @@ std::string Beam::whyUnknown() const {
   const auto ends = std::minmax_element(points_.begin(), points_.end(), earlier);
   if (ends.second->time - ends.first->time < kLeastPeriod) return "all have the same time, or nearly so";
   const std::string other =
-      tws::otherScanOf(scansToAndFro() ? std::vector<tws::TimedAzimuth>(latest_points_.begin(), latest_points_.end())
-                                       : std::vector<tws::TimedAzimuth>(points_.begin(), points_.end()));
+      tws::otherScanOf(scansToAndFro() ? tws::TimedAzimuths(latest_points_.begin(), latest_points_.end())
+                                       : tws::TimedAzimuths(points_.begin(), points_.end()));
   return other.empty() ? "they do not show how it turns; periods of 0.2 to 120 s are found" : other;
 }
 

@@ -4,10 +4,10 @@
 
 #include <cmath>
 
+#include <tws_core/units.h>
+
 namespace asterix_bridge {
 namespace {
-
-constexpr double kDegree = 3.14159265358979323846 / 180.0;
 
 CutSector sectorWith(const TargetReport& report) {
   CutSector sector;
@@ -24,11 +24,11 @@ TargetReport combinedReport() {
   TargetReport report;
   report.primary = report.secondary = true;
   report.range = 50000.0;
-  report.azimuth = 359.99 * kDegree;
+  report.azimuth = tws::radians(359.99);
   report.mode_3a = {true, true, false, false, 01234};
   report.flight_level = {true, true, false, 350.0};
   report.characteristics.primary_less_ssr_range = 1852.0 / 256.0;
-  report.characteristics.primary_less_ssr_azimuth = 360.0 / 16384.0 * kDegree;
+  report.characteristics.primary_less_ssr_azimuth = tws::radians(360.0 / 16384.0);
   return report;
 }
 
@@ -45,7 +45,7 @@ TEST(ToRadarSector, MovesAPrimaryPlotToWhereThePrimaryRadarSawIt) {
   const tws::RadarSector sector = toRadarSector(sectorWith(combinedReport()), true);
   ASSERT_EQ(sector.plots.size(), 1u);
   EXPECT_DOUBLE_EQ(sector.plots[0].range, 50000.0 + 1852.0 / 256.0);
-  EXPECT_NEAR(sector.plots[0].azimuth, (359.99 + 360.0 / 16384.0 - 360.0) * kDegree, 1e-12);
+  EXPECT_NEAR(sector.plots[0].azimuth, tws::radians(359.99 + 360.0 / 16384.0 - 360.0), 1e-12);
 }
 
 TEST(ToRadarSector, DoesNotMoveItByADifferenceThatStandsForAllGreaterOnes) {
@@ -97,7 +97,8 @@ TEST(ToSectorMark, IsTheBeamsEntryIntoTheNextSector) {
 TEST(ToTransform, PutsASiteWhereItIs) {
   const tws::LocalFrame map(tws::Geodetic{0.0, 0.0, 0.0});
   const auto transform =
-      toTransform(map, tws::Geodetic{kDegree / 60.0, kDegree / 30.0, 100.0}, "map", "tower").transform;
+      toTransform(map, tws::Geodetic{tws::radians(1.0 / 60.0), tws::radians(1.0 / 30.0), 100.0}, "map", "tower")
+          .transform;
   EXPECT_NEAR(transform.translation.x, 3704.0, 20.0);
   EXPECT_NEAR(transform.translation.y, 1852.0, 10.0);
   EXPECT_NEAR(transform.translation.z, 100.0, 2.0);
@@ -106,11 +107,11 @@ TEST(ToTransform, PutsASiteWhereItIs) {
 
 // The pole's neighbour: what is north at a site 90° of longitude away lies east or west in the map.
 TEST(ToTransform, TurnsASiteToItsOwnNorth) {
-  const tws::LocalFrame map(tws::Geodetic{89.999 * kDegree, 0.0, 0.0});
+  const tws::LocalFrame map(tws::Geodetic{tws::radians(89.999), 0.0, 0.0});
   const auto q =
-      toTransform(map, tws::Geodetic{89.999 * kDegree, 90.0 * kDegree, 0.0}, "map", "tower").transform.rotation;
+      toTransform(map, tws::Geodetic{tws::radians(89.999), tws::radians(90.0), 0.0}, "map", "tower").transform.rotation;
   const double heading = std::atan2(2.0 * (q.w * q.z + q.x * q.y), 1.0 - 2.0 * (q.y * q.y + q.z * q.z));
-  EXPECT_NEAR(heading, 90.0 * kDegree, 1e-6);
+  EXPECT_NEAR(heading, tws::radians(90.0), 1e-6);
 }
 
 }  // namespace

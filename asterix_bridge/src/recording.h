@@ -82,7 +82,7 @@ struct RadarContents {
   std::uint64_t reports = 0;
   std::uint64_t marks = 0;                // north and sector marks
   std::optional<tws::Geodetic> position;  // the first one sent
-  std::vector<tws::TimedAzimuth> first;   // plots and sector marks, at most 200
+  tws::TimedAzimuths first;               // plots and sector marks, at most 200
 };
 
 /// What a recording holds.

@@ -11,20 +11,20 @@
 namespace asterix_bridge {
 namespace {
 
-using boost::asio::ip::udp;
+using Udp = boost::asio::ip::udp;
 
 /// A port that nobody uses now.
 std::uint16_t freePort() {
   boost::asio::io_context context;
-  return udp::socket(context, udp::endpoint(udp::v4(), 0)).local_endpoint().port();
+  return Udp::socket(context, Udp::endpoint(Udp::v4(), 0)).local_endpoint().port();
 }
 
 void send(const std::string& address, std::uint16_t port, const std::string& text) {
   boost::asio::io_context context;
-  udp::socket socket(context, udp::v4());
+  Udp::socket socket(context, Udp::v4());
   socket.set_option(boost::asio::ip::multicast::outbound_interface(boost::asio::ip::address_v4::loopback()));
   socket.set_option(boost::asio::ip::multicast::enable_loopback(true));
-  socket.send_to(boost::asio::buffer(text), udp::endpoint(boost::asio::ip::make_address(address), port));
+  socket.send_to(boost::asio::buffer(text), Udp::endpoint(boost::asio::ip::make_address(address), port));
 }
 
 /// What comes within a few seconds, up to so many datagrams.

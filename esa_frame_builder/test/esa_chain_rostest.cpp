@@ -6,22 +6,13 @@
 #include <tws_msgs/Frame.h>
 #include <tws_msgs/TrackDatabase.h>
 #include <tws_msgs/Tracks.h>
+#include <tws_runtime/live_test_helpers.h>
 
-#include <functional>
 #include <vector>
 
 namespace {
 
-constexpr std::uint32_t kUnbounded = 0;  // queue
-
-bool waitFor(const std::function<bool()>& condition, double seconds = 60.0) {
-  const ros::WallTime end = ros::WallTime::now() + ros::WallDuration(seconds);
-  while (!condition() && ros::WallTime::now() < end) {
-    ros::spinOnce();
-    ros::WallDuration(0.001).sleep();
-  }
-  return condition();
-}
+using tws_runtime::kUnbounded, tws_runtime::waitFor;
 
 /// Stands in for a radar named esa that looks east; one aircraft stands still on its boresight.
 class Radar {

@@ -20,7 +20,7 @@ std::size_t indexOf(const std::string& name, const std::vector<Target>& targets)
 }
 
 /// Two-way amplitude gain of a round Gaussian beam off its axis, 1 on it.
-double beamGain(double off_axis, double beamwidth) {
+double dishGain(double off_axis, double beamwidth) {
   const double widths = off_axis / beamwidth;
   return std::exp(-4.0 * std::log(2.0) * widths * widths);
 }
@@ -105,7 +105,7 @@ void RangeRadar::addTargets(double time) {
     const Eigen::Vector3d place = map_to_site_ * state.position;
     if (isBeyondHorizon(params_.antenna_height, state.height, place.norm())) continue;
     const Eigen::Vector3d direction = place.normalized();
-    const double gain = beamGain(std::acos(std::clamp(direction.dot(axis_), -1.0, 1.0)), params_.beamwidth);
+    const double gain = dishGain(std::acos(std::clamp(direction.dot(axis_), -1.0, 1.0)), params_.beamwidth);
     const double foreshortening = direction.dot(courseOf(state, map_to_site_));
     for (const Scatterers::Scatterer& scatterer : scatterers_[i].all()) {
       const double range = place.norm() + scatterer.offset * foreshortening;

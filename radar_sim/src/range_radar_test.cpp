@@ -12,7 +12,7 @@
 namespace radar_sim {
 namespace {
 
-constexpr double kStart = 1000.0;
+constexpr double kBegin = 1000.0;
 
 /// A target north of the radar, at that range and at the antenna's height above a flat world.
 Target targetAt(const std::string& name, double range, double rcs, Fluctuation fluctuation, double speed = 0.0) {
@@ -21,7 +21,7 @@ Target targetAt(const std::string& name, double range, double rcs, Fluctuation f
   target.reflection.rcs = rcs;
   target.reflection.fluctuation = fluctuation;
   PathStart start;
-  start.time = kStart;
+  start.time = kBegin;
   start.position = {0.0, range};
   start.height = 25.0;
   start.speed = speed;
@@ -46,7 +46,7 @@ Eigen::Isometry3d site() {
 
 struct World {
   World(const RangeRadarParams& params, std::vector<Target> all, std::uint64_t seed = 1)
-      : targets(std::move(all)), radar(params, site(), targets, {}, seed, kStart) {}
+      : targets(std::move(all)), radar(params, site(), targets, {}, seed, kBegin) {}
   std::vector<Target> targets;
   RangeRadar radar;
 };
@@ -214,7 +214,7 @@ TEST(RangeRadar, SeesAnExtendedTargetAsScatterersOverItsLength) {
   for (int i = 0; i < 1000; ++i) {
     const AmplitudeProfile profile = world.radar.takeProfile();
     total.push_back(powerOf(profile));
-    const double middle = 10e3 + 5.0 * (profile.time - kStart);
+    const double middle = 10e3 + 5.0 * (profile.time - kBegin);
     for (std::size_t bin = 0; bin < profile.amplitude.size(); ++bin)
       spread +=
           squareOf(profile.amplitude[bin]) * std::pow(profile.range_min + static_cast<double>(bin) + 0.5 - middle, 2);
@@ -229,7 +229,7 @@ TEST(RangeRadar, SeesOtherTargetsThroughItsBeam) {
   RangeRadarParams params = quiet();
   Target other = targetAt("bravo", 10100.0, 8.0, Fluctuation::kSteady);
   PathStart start;
-  start.time = kStart;
+  start.time = kBegin;
   start.height = 25.0;
   start.position = 10100.0 * Eigen::Vector2d(std::sin(0.5 * params.beamwidth), std::cos(0.5 * params.beamwidth));
   other.trajectory = std::make_shared<FlightPath>(start, std::vector<Leg>{}, 0.0);
@@ -240,7 +240,7 @@ TEST(RangeRadar, SeesOtherTargetsThroughItsBeam) {
 TEST(RangeRadar, ReportsAtItsRateAndFollowsItsTarget) {
   World world(quiet(), {targetAt("alpha", 10e3, 1.0, Fluctuation::kSteady, 150.0)});
   for (std::uint32_t i = 0; i < 100; ++i) {
-    EXPECT_DOUBLE_EQ(world.radar.nextProfile(), kStart + i / 50.0);
+    EXPECT_DOUBLE_EQ(world.radar.nextProfile(), kBegin + i / 50.0);
     const AmplitudeProfile profile = world.radar.takeProfile();
     EXPECT_EQ(profile.number, i);
     EXPECT_NEAR(centreOf(profile, 1.0), 10e3 + 150.0 * i / 50.0, 0.05);

@@ -9,7 +9,7 @@ namespace radar_sim {
 namespace {
 
 /// Ten dwells a period of 0.1 s, two of them for search at least; beams of 0.04 by 0.04.
-ArrayParams array() {
+ArrayParams squareArray() {
   ArrayParams params;
   params.name = "esa";
   params.beamwidth_u = params.beamwidth_v = 0.04;
@@ -32,8 +32,8 @@ std::vector<PlannedDwell> trackDwells(const std::vector<PlannedDwell>& dwells) {
 
 // "Searches on when none answers": a radar without tracker is a search radar.
 TEST(ResourceManager, WithoutTracksAllGoesToSearch) {
-  ResourceManager manager(array());
-  SearchRaster raster(array());
+  ResourceManager manager(squareArray());
+  SearchRaster raster(squareArray());
   for (int period = 0; period < 20; ++period) {
     const auto dwells = manager.plan(0.1 * period, {});
     ASSERT_EQ(dwells.size(), 10u);
@@ -48,7 +48,7 @@ TEST(ResourceManager, WithoutTracksAllGoesToSearch) {
 
 // Period by period of 0.1 s from time 10 on, last update at 9.5, revisit 0.5 s: at once, then every fifth period.
 TEST(ResourceManager, VisitsATrackAsOftenAsItsRevisitTimeSays) {
-  ResourceManager manager(array());
+  ResourceManager manager(squareArray());
   SteerableTrack one = track(7, 0.1);
   one.revisit = 0.5;
   one.last_update = 9.5;
@@ -68,7 +68,7 @@ TEST(ResourceManager, VisitsATrackAsOftenAsItsRevisitTimeSays) {
 
 // Nine objects along two beamwidths: spacing 0.7 needs three beams, 2/3 of a beamwidth apart.
 TEST(ResourceManager, CoversCloselySpacedTracksByOneSequenceOfOverlappingBeams) {
-  ResourceManager manager(array());
+  ResourceManager manager(squareArray());
   std::vector<SteerableTrack> tracks;
   for (std::uint32_t i = 0; i < 9; ++i) tracks.push_back(track(i, 0.01 * i));
   const auto dwells = trackDwells(manager.plan(100.0, tracks));
@@ -88,7 +88,7 @@ TEST(ResourceManager, CoversCloselySpacedTracksByOneSequenceOfOverlappingBeams) 
 
 // All members of a group that is visited start their revisit time anew, also those that were not due themselves.
 TEST(ResourceManager, VisitsAGroupTogether) {
-  ResourceManager manager(array());
+  ResourceManager manager(squareArray());
   std::vector<SteerableTrack> tracks{track(1, 0.0), track(2, 0.03), track(3, 0.2)};
   tracks[0].revisit = 0.5;
   tracks[1].revisit = tracks[2].revisit = 100.0;
@@ -101,7 +101,7 @@ TEST(ResourceManager, VisitsAGroupTogether) {
 }
 
 TEST(ResourceManager, HigherPriorityGoesFirstThenWhoHasWaitedLonger) {
-  ResourceManager manager(array());
+  ResourceManager manager(squareArray());
   std::vector<SteerableTrack> tracks{track(1, 0.0), track(2, 0.2), track(3, 0.4)};
   tracks[0].last_update = 5.0;
   tracks[1].last_update = 4.0;
@@ -116,11 +116,11 @@ TEST(ResourceManager, HigherPriorityGoesFirstThenWhoHasWaitedLonger) {
 
 // Twenty tracks and eight dwells a period: nobody may starve, and search keeps its share.
 TEST(ResourceManager, TheLimiterCutsTheListAndWhoWasCutComesNext) {
-  ResourceManager manager(array());
+  ResourceManager manager(squareArray());
   std::vector<SteerableTrack> tracks;
   for (std::uint32_t i = 0; i < 20; ++i) tracks.push_back(track(i, -0.4 + 0.04001 * i));
   for (auto& one : tracks) one.revisit = 10.0;
-  ArrayParams apart = array();
+  ArrayParams apart = squareArray();
   apart.sequence_distance = 0.5;
   manager = ResourceManager(apart);
   std::map<std::uint32_t, int> visits;
@@ -136,7 +136,7 @@ TEST(ResourceManager, TheLimiterCutsTheListAndWhoWasCutComesNext) {
 
 // A sequence longer than a period is what framing across resource periods is for.
 TEST(ResourceManager, ASequenceThatWasCutGoesOnAtTheBeginOfTheNextPeriod) {
-  ResourceManager manager(array());
+  ResourceManager manager(squareArray());
   std::vector<SteerableTrack> tracks;
   for (std::uint32_t i = 0; i < 25; ++i) tracks.push_back(track(i, 0.0125 * i));  // 7.5 beamwidths: 11 beams
   for (auto& one : tracks) one.revisit = 10.0;
@@ -151,7 +151,7 @@ TEST(ResourceManager, ASequenceThatWasCutGoesOnAtTheBeginOfTheNextPeriod) {
 
 // A dropped track's number may be used again: the new track must not inherit the old one's dwells.
 TEST(ResourceManager, ForgetsTracksThatAreGone) {
-  ResourceManager manager(array());
+  ResourceManager manager(squareArray());
   SteerableTrack one = track(1, 0.0);
   EXPECT_EQ(trackDwells(manager.plan(100.0, {one})).size(), 1u);
   EXPECT_EQ(trackDwells(manager.plan(100.1, {one})).size(), 0u);
@@ -162,7 +162,7 @@ TEST(ResourceManager, ForgetsTracksThatAreGone) {
 TEST(CloseTogether, ChainsNeighboursAndPartsOthers) {
   const std::vector<SteerableTrack> tracks{track(0, 0.0), track(1, 0.2), track(2, 0.06), track(3, 0.03)};
   const std::vector<std::vector<std::size_t>> expected{{0, 3, 2}, {1}};
-  EXPECT_EQ(closeTogether(array(), tracks), expected);
+  EXPECT_EQ(closeTogether(squareArray(), tracks), expected);
 }
 
 TEST(NextExpectedDwell, IsTheEarliestLastUpdatePlusRevisitTime) {

@@ -27,7 +27,7 @@ SecondaryParams perfectRadar() {
   return params;
 }
 
-Target aircraft(const std::string& name, double range, double azimuth_deg, int mode_3a) {
+Target airliner(const std::string& name, double range, double azimuth_deg, int mode_3a) {
   PathStart start;
   start.time = kStart;
   start.position = range * Eigen::Vector2d(std::sin(tws::radians(azimuth_deg)), std::cos(tws::radians(azimuth_deg)));
@@ -76,7 +76,7 @@ double binomial(int n, int k, double p) {
 }
 
 TEST(SecondaryRadar, ReportsAnAircraftOnceATurnWithAllItReplies) {
-  Target alpha = aircraft("alpha", 50e3, 77.1, 07421);
+  Target alpha = airliner("alpha", 50e3, 77.1, 07421);
   alpha.transponder.codes[index(Mode::k1)] = 03100;
   SecondaryRun run(perfectRadar(), {alpha});
   const auto plots = run.plots(20);
@@ -139,7 +139,7 @@ TEST(SecondaryRadar, HasTheBiasAndNoiseThatItStates) {
   params.range_sigma = 80.0;
   params.azimuth_bias = tws::radians(-0.2);
   params.azimuth_sigma = tws::radians(0.25);
-  SecondaryRun run(params, {aircraft("alpha", 50e3, 77.1, 01234)});
+  SecondaryRun run(params, {airliner("alpha", 50e3, 77.1, 01234)});
   const auto plots = run.plots(4000);
   const double n = 4000.0;
   ASSERT_EQ(plots.size(), 4000u);
@@ -162,7 +162,7 @@ TEST(SecondaryRadar, HasTheBiasAndNoiseThatItStates) {
 TEST(SecondaryRadar, MissesPlotsAndCodesAsOftenAsItsRepliesSay) {
   SecondaryParams params = perfectRadar();
   params.missed_reply_probability = 0.5;
-  SecondaryRun run(params, {aircraft("alpha", 50e3, 77.1, 01234)});
+  SecondaryRun run(params, {airliner("alpha", 50e3, 77.1, 01234)});
   double plot_chance = 0.0, code_chance = 0.0;
   for (int a = 0; a <= 4; ++a) {
     for (int c = 0; c <= 4; ++c) {
@@ -183,7 +183,7 @@ TEST(SecondaryRadar, MissesPlotsAndCodesAsOftenAsItsRepliesSay) {
 TEST(SecondaryRadar, AsksInTheModesOfItsInterlaceOnly) {
   SecondaryParams params = perfectRadar();
   params.interlace = {Mode::k3A};
-  SecondaryRun run(params, {aircraft("alpha", 50e3, 77.1, 01234)});
+  SecondaryRun run(params, {airliner("alpha", 50e3, 77.1, 01234)});
   const auto plots = run.plots(5);
   ASSERT_EQ(plots.size(), 5u);
   EXPECT_EQ(mode3A(plots[0]).code, 01234);
@@ -192,7 +192,7 @@ TEST(SecondaryRadar, AsksInTheModesOfItsInterlaceOnly) {
 
 // 2 km apart the replies overlap; 2 · 2000 m / c = 13.34 µs = 9.2 positions, between which nothing is read wrong.
 TEST(SecondaryRadar, MarksTheCodesOfAircraftWithinTheGarbleRegion) {
-  SecondaryRun run(perfectRadar(), {aircraft("a", 50e3, 77.1, 01234), aircraft("b", 52e3, 77.1, 04321)});
+  SecondaryRun run(perfectRadar(), {airliner("a", 50e3, 77.1, 01234), airliner("b", 52e3, 77.1, 04321)});
   const auto plots = run.plots(5);
   ASSERT_EQ(plots.size(), 10u);
   for (const SecondaryPlot& plot : plots) {
@@ -207,7 +207,7 @@ TEST(SecondaryRadar, MarksTheCodesOfAircraftWithinTheGarbleRegion) {
 // B2 10 on F2. So 01234 with 02000, 00200, 00400, 00004: 03634.
 TEST(SecondaryRadar, AddsThePulsesThatFallOnPositions) {
   const double between = 4.0 * 1.45e-6 * 299792458.0 / 2.0;
-  SecondaryRun run(perfectRadar(), {aircraft("a", 50e3, 77.1, 01234), aircraft("b", 50e3 + between, 77.1, 04321)});
+  SecondaryRun run(perfectRadar(), {airliner("a", 50e3, 77.1, 01234), airliner("b", 50e3 + between, 77.1, 04321)});
   const auto plots = run.plots(1);
   ASSERT_EQ(plots.size(), 2u);
   const auto near = std::min_element(plots.begin(), plots.end(), [](auto& a, auto& b) { return a.range < b.range; });
@@ -215,8 +215,8 @@ TEST(SecondaryRadar, AddsThePulsesThatFallOnPositions) {
 }
 
 TEST(SecondaryRadar, LeavesCodesAloneOutsideTheGarbleRegion) {
-  for (const auto& other : {aircraft("b", 53.2e3, 77.1, 04321), aircraft("b", 51e3, 79.6, 04321)}) {
-    SecondaryRun run(perfectRadar(), {aircraft("a", 50e3, 77.1, 01234), other});
+  for (const auto& other : {airliner("b", 53.2e3, 77.1, 04321), airliner("b", 51e3, 79.6, 04321)}) {
+    SecondaryRun run(perfectRadar(), {airliner("a", 50e3, 77.1, 01234), other});
     const auto plots = run.plots(5);
     ASSERT_EQ(plots.size(), 10u);
     for (const SecondaryPlot& plot : plots) {
@@ -228,7 +228,7 @@ TEST(SecondaryRadar, LeavesCodesAloneOutsideTheGarbleRegion) {
 
 // 1.6° apart in a beam of 2.4°: a third of the interrogations reaches both, and the rest is enough for the codes.
 TEST(SecondaryRadar, ReadsCodesFromTheRepliesThatNothingOverlapped) {
-  SecondaryRun run(perfectRadar(), {aircraft("a", 50e3, 77.1, 01234), aircraft("b", 51e3, 78.7, 04321)});
+  SecondaryRun run(perfectRadar(), {airliner("a", 50e3, 77.1, 01234), airliner("b", 51e3, 78.7, 04321)});
   const auto plots = run.plots(5);
   ASSERT_EQ(plots.size(), 10u);
   for (const SecondaryPlot& plot : plots) EXPECT_FALSE(mode3A(plot).garbled);
@@ -236,7 +236,7 @@ TEST(SecondaryRadar, ReadsCodesFromTheRepliesThatNothingOverlapped) {
 
 // What the secondary tracker of the paper is made for: two aircraft that the radar sees as one.
 TEST(SecondaryRadar, GivesOneGarbledPlotForAircraftThatItCannotTellApart) {
-  SecondaryRun run(perfectRadar(), {aircraft("a", 50e3, 77.1, 01234), aircraft("b", 50.02e3, 77.1, 04321)});
+  SecondaryRun run(perfectRadar(), {airliner("a", 50e3, 77.1, 01234), airliner("b", 50.02e3, 77.1, 04321)});
   const auto plots = run.plots(5);
   ASSERT_EQ(plots.size(), 5u);
   EXPECT_EQ(mode3A(plots[0]).code, 01234 | 04321);
@@ -245,13 +245,13 @@ TEST(SecondaryRadar, GivesOneGarbledPlotForAircraftThatItCannotTellApart) {
 }
 
 TEST(SecondaryRadar, HearsNobodyWithoutATransponderOrWhileItIsSilentOrOutOfReach) {
-  Target without = aircraft("without", 50e3, 30.0, Transponder::kNone);
+  Target without = airliner("without", 50e3, 30.0, Transponder::kNone);
   without.transponder.altitude = false;
-  Target silent = aircraft("silent", 50e3, 77.1, 01234);
+  Target silent = airliner("silent", 50e3, 77.1, 01234);
   silent.transponder.silences = {{kStart + 6.0, kStart + 12.0}};
   SecondaryParams params = perfectRadar();
   params.max_range = 300e3;
-  const Target far = aircraft("far", 301e3, 140.0, 01234);
+  const Target far = airliner("far", 301e3, 140.0, 01234);
   SecondaryRun run(params, {without, silent, far});
   const auto plots = run.plots(3);
   ASSERT_EQ(plots.size(), 2u);
@@ -261,8 +261,8 @@ TEST(SecondaryRadar, HearsNobodyWithoutATransponderOrWhileItIsSilentOrOutOfReach
 
 // 4/3 earth: sqrt(2 · 8495 km · 1000 m) = 130.3 km for the radar, 227.6 km for the aircraft at 3048 m.
 TEST(SecondaryRadar, HearsNobodyBeyondTheHorizon) {
-  EXPECT_EQ(SecondaryRun(perfectRadar(), {aircraft("above", 356e3, 77.1, 01234)}).plots(1).size(), 1u);
-  EXPECT_EQ(SecondaryRun(perfectRadar(), {aircraft("below", 360e3, 77.1, 01234)}).plots(1).size(), 0u);
+  EXPECT_EQ(SecondaryRun(perfectRadar(), {airliner("above", 356e3, 77.1, 01234)}).plots(1).size(), 1u);
+  EXPECT_EQ(SecondaryRun(perfectRadar(), {airliner("below", 360e3, 77.1, 01234)}).plots(1).size(), 0u);
 }
 
 // Too many or too few, or all of them near: false tracks would be others than in reality. FRUIT comes at any time after
@@ -295,7 +295,7 @@ TEST(SecondaryRadar, HasMarksButNoPlotsOnAMissedScan) {
   fault.to = kStart + 12.0;
   SecondaryParams params = perfectRadar();
   params.fruit_plots_per_scan = 50.0;
-  SecondaryRun run(params, {aircraft("a", 50e3, 77.1, 01234)}, {fault});
+  SecondaryRun run(params, {airliner("a", 50e3, 77.1, 01234)}, {fault});
   std::vector<std::size_t> counts(3, 0);
   for (const SecondarySector& sector : run.sectors(3))
     counts[static_cast<std::size_t>(sector.span.running / 64)] += sector.plots.size();
@@ -308,8 +308,8 @@ TEST(SecondaryRadar, GivesOtherAircraftTheSamePlotsWhenOneFarAwayIsAdded) {
   SecondaryParams params = perfectRadar();
   params.missed_reply_probability = 0.3;
   params.range_sigma = 60.0;
-  SecondaryRun alone(params, {aircraft("a", 50e3, 77.1, 01234)});
-  SecondaryRun both(params, {aircraft("b", 70e3, 200.0, 04321), aircraft("a", 50e3, 77.1, 01234)});
+  SecondaryRun alone(params, {airliner("a", 50e3, 77.1, 01234)});
+  SecondaryRun both(params, {airliner("b", 70e3, 200.0, 04321), airliner("a", 50e3, 77.1, 01234)});
   const auto expected = alone.plots(50);
   auto plots = both.plots(50);
   const auto isOther = [](const SecondaryPlot& plot) { return plot.azimuth > tws::kPi; };

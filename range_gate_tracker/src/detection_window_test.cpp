@@ -175,7 +175,7 @@ TEST(DetectionWindow, FindsNoRangeWhereThereIsNothing) {
   }
 }
 
-std::string complaint(const RangeProfile& profile, std::size_t s) {
+std::string refusal(const RangeProfile& profile, std::size_t s) {
   try {
     DetectionWindow(s, Background::kLocal).search(profile);
   } catch (const std::invalid_argument& error) {
@@ -186,11 +186,11 @@ std::string complaint(const RangeProfile& profile, std::size_t s) {
 
 TEST(DetectionWindow, SaysWhatIsWrongWithAProfile) {
   RangeProfile profile = flatWith(60, 1.0F, 0, 0, 0.0F);
-  EXPECT_EQ(complaint(profile, 61), "the detection window of 61 bins is larger than the gate of 60");
+  EXPECT_EQ(refusal(profile, 61), "the detection window of 61 bins is larger than the gate of 60");
   profile.amplitude[17] = std::nanf("");
-  EXPECT_EQ(complaint(profile, 5), "amplitude of bin 17 is nan");
+  EXPECT_EQ(refusal(profile, 5), "amplitude of bin 17 is nan");
   profile.amplitude[17] = -std::numeric_limits<float>::infinity();
-  EXPECT_EQ(complaint(profile, 5), "amplitude of bin 17 is -inf");
+  EXPECT_EQ(refusal(profile, 5), "amplitude of bin 17 is -inf");
   EXPECT_THROW(DetectionWindow(0, Background::kNone), std::invalid_argument);
 }
 

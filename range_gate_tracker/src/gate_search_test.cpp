@@ -7,7 +7,7 @@
 namespace range_gate_tracker {
 namespace {
 
-RangeGateParams params() {
+RangeGateParams searchParams() {
   RangeGateParams params;
   params.window = 100.0;
   params.velocity_limit = 200.0;
@@ -22,7 +22,7 @@ RangeGateParams params() {
 
 // A target that flies off at the velocity limit must stay inside while the gate widens.
 TEST(GateSearch, OpensAsFastAsTheTargetMayGoUpToTheWidestGate) {
-  GateSearch search(params());
+  GateSearch search(searchParams());
   search.begin(6000.0, 100.0);
   EXPECT_DOUBLE_EQ(search.gate(100.0).min, 5500.0);
   EXPECT_DOUBLE_EQ(search.gate(100.0).max, 6500.0);
@@ -30,7 +30,7 @@ TEST(GateSearch, OpensAsFastAsTheTargetMayGoUpToTheWidestGate) {
   EXPECT_DOUBLE_EQ(search.gate(102.0).max, 6500.0 + 400.0);
   EXPECT_DOUBLE_EQ(search.gate(104.99).min, 6000.0 - 0.5 * (1000.0 + 2 * 200.0 * 4.99));
   search.begin(6000.0, 0.0);
-  RangeGateParams patient = params();
+  RangeGateParams patient = searchParams();
   patient.widening_time = 60.0;
   GateSearch wide(patient);
   wide.begin(6000.0, 0.0);
@@ -39,7 +39,7 @@ TEST(GateSearch, OpensAsFastAsTheTargetMayGoUpToTheWidestGate) {
 }
 
 TEST(GateSearch, NeverLooksWhereTheRadarCannot) {
-  GateSearch search(params());
+  GateSearch search(searchParams());
   for (const double range : {-5000.0, 1000.0, 1200.0, 10900.0, 99999.0}) {
     search.begin(range, 0.0);
     for (double time = 0.0; time < 30.0; time += 0.1) {
@@ -51,7 +51,7 @@ TEST(GateSearch, NeverLooksWhereTheRadarCannot) {
 
 // Wherever the target has moved, one sweep must meet it, whole in one gate.
 TEST(GateSearch, SweepsOverEveryWindowOfAllRangesNearestFirst) {
-  GateSearch search(params());
+  GateSearch search(searchParams());
   search.begin(6200.0, 0.0);
   std::vector<RangeInterval> gates;
   for (double time = 5.25; time < 5.25 + 0.5 * 20; time += 0.5) gates.push_back(search.gate(time));
@@ -66,7 +66,7 @@ TEST(GateSearch, SweepsOverEveryWindowOfAllRangesNearestFirst) {
 }
 
 TEST(GateSearch, BeginsAnewAfterASweep) {
-  GateSearch search(params());
+  GateSearch search(searchParams());
   search.begin(6000.0, 0.0);
   int returns = 0;
   for (double time = 5.25; time < 30.0; time += 0.5) returns += search.gate(time).centre() == 6000.0;
@@ -74,7 +74,7 @@ TEST(GateSearch, BeginsAnewAfterASweep) {
 }
 
 TEST(GateSearch, CutsAGateThatIsLongerThanAllRanges) {
-  RangeGateParams narrow = params();
+  RangeGateParams narrow = searchParams();
   narrow.max_range = 1500.0;
   const RangeInterval gate = gateAbout(1400.0, 4000.0, narrow);
   EXPECT_DOUBLE_EQ(gate.min, 1000.0);

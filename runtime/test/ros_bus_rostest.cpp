@@ -5,6 +5,7 @@
 #include <ros/ros.h>
 #include <ros/xmlrpc_manager.h>
 #include <rosgraph_msgs/Clock.h>
+#include <tws_runtime/live_test_helpers.h>
 #include <tws_runtime/local_graph.h>
 #include <tws_runtime/lock_step.h>
 #include <tws_runtime/nodelet.h>
@@ -61,15 +62,6 @@ Received runInOneProcess() {
 template <class M>
 ros::Subscriber listen(ros::NodeHandle& node, const std::string& topic, const std::function<void(const M&)>& handler) {
   return node.subscribe<M>(topic, 0, [handler](const boost::shared_ptr<const M>& message) { handler(*message); });
-}
-
-bool waitFor(const std::function<bool()>& condition) {
-  const ros::WallTime end = ros::WallTime::now() + ros::WallDuration(20.0);
-  while (!condition() && ros::WallTime::now() < end) {
-    ros::spinOnce();
-    ros::WallDuration(0.01).sleep();
-  }
-  return condition();
 }
 
 /// Listens to a whole live run, the start of which waits for this listener.

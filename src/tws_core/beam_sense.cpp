@@ -13,16 +13,14 @@
 namespace tws {
 namespace {
 
-using Plots = std::vector<TimedAzimuth>;
-
-void sort(Plots& plots) {
+void sort(TimedAzimuths& plots) {
   const auto earlier = [](const TimedAzimuth& a, const TimedAzimuth& b) { return a.time < b.time; };
   if (!std::is_sorted(plots.begin(), plots.end(), earlier)) std::stable_sort(plots.begin(), plots.end(), earlier);
 }
 
-// How fast the beam goes from plot to plot [rad/s], < 0: counter-clockwise. Plots close together show it badly, those
-// far apart may be of different scans.
-std::vector<double> speedsOf(const Plots& plots) {
+// How fast the beam goes from plot to plot [rad/s], < 0: counter-clockwise. TimedAzimuths close together show it badly,
+// those far apart may be of different scans.
+std::vector<double> speedsOf(const TimedAzimuths& plots) {
   constexpr double kLeast = radians(2.0), kMost = radians(60.0);
   std::vector<double> speeds;
   for (std::size_t i = 1; i < plots.size(); ++i) {
@@ -61,7 +59,7 @@ double shareOfReversals(const std::vector<double>& speeds) {
 
 }  // namespace
 
-bool scansToAndFro(Plots plots) {
+bool scansToAndFro(TimedAzimuths plots) {
   constexpr std::size_t kFew = 20;
   constexpr double kMostEven = 0.75, kNearHalf = 0.35;
   constexpr double kFewReversals = 0.25, kClearly = 0.2;
@@ -74,7 +72,7 @@ bool scansToAndFro(Plots plots) {
          (rarer > kClearly && shareOfReversals(speeds) < kFewReversals);
 }
 
-std::string otherScanOf(Plots plots) {
+std::string otherScanOf(TimedAzimuths plots) {
   sort(plots);
   char text[100];
   if (scansToAndFro(plots)) {

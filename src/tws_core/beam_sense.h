@@ -9,10 +9,10 @@ namespace tws {
 
 /// Do plots show a beam that goes to and fro across a sector: some in a row clockwise, then some in a row back? It
 /// takes twenty that follow each other within 2..60°.
-bool scansToAndFro(std::vector<TimedAzimuth> plots);
+bool scansToAndFro(TimedAzimuths plots);
 
 /// What plots of which no rotation is found show instead, for a person: "the antenna turns counter-clockwise, once in
 /// 4.000 s: that is not read", or that it scans to and fro. Empty: neither.
-std::string otherScanOf(std::vector<TimedAzimuth> plots);
+std::string otherScanOf(TimedAzimuths plots);
 
 }  // namespace tws

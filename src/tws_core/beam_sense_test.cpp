@@ -15,9 +15,9 @@ namespace {
 using Turning = std::function<double(double)>;  // azimuth [rad] at a time [s]
 
 // Three a second for five minutes; a share of them anywhere.
-std::vector<TimedAzimuth> plotsOf(const Turning& beam, double odd_share = 0.0) {
+TimedAzimuths plotsOf(const Turning& beam, double odd_share = 0.0) {
   auto generator = seededGenerator();
-  std::vector<TimedAzimuth> plots;
+  TimedAzimuths plots;
   for (int i = 0; i < 900; ++i) {
     const double time = uniform(generator, 0.0, 300.0);
     const bool odd = uniform(generator, 0.0, 1.0) < odd_share;

@@ -14,12 +14,10 @@
 namespace tws {
 namespace {
 
-using Plots = std::vector<TimedAzimuth>;
-
 constexpr double kTurnsAround = 2.5;  // of a break that are looked at
 constexpr double kOff = radians(20.0);
 
-double misfit(const TimedAzimuth& plot, const SteadyBeam& beam) {
+double misfitOf(const TimedAzimuth& plot, const SteadyBeam& beam) {
   return std::min(std::abs(angularDifference(plot.azimuth, beam.azimuthAt(plot.time))), kOff);
 }
 
@@ -27,7 +25,7 @@ double misfit(const TimedAzimuth& plot, const SteadyBeam& beam) {
 /// both between each other, then only the latter. Each of the three may be missing.
 class Parting {
  public:
-  Parting(const Plots& plots, const Rotation::Break& at) : plots_(plots), break_(at) {
+  Parting(const TimedAzimuths& plots, const Rotation::Break& at) : plots_(plots), break_(at) {
     const double around = kTurnsAround * kTwoPi / at.before.rate;
     const TimedAzimuth* const last = plots.data() + plots.size();
     first_ = static_cast<std::size_t>(firstNotBefore(plots.data(), last, at.time - around) - plots.data());
@@ -59,8 +57,8 @@ class Parting {
   static constexpr double kNever = std::numeric_limits<double>::infinity();
   enum Stage { kBefore, kBoth, kAfter };
 
-  double before(std::size_t plot) const { return misfit(plots_[plot], break_.before); }
-  double after(std::size_t plot) const { return misfit(plots_[plot], break_.after); }
+  double before(std::size_t plot) const { return misfitOf(plots_[plot], break_.before); }
+  double after(std::size_t plot) const { return misfitOf(plots_[plot], break_.after); }
 
   // The cheapest way through the stages. One plot in both is dearer than on one beam, so that chance makes no overlap.
   void part() {
@@ -82,7 +80,7 @@ class Parting {
     }
   }
 
-  const Plots& plots_;
+  const TimedAzimuths& plots_;
   const Rotation::Break& break_;
   std::size_t first_ = 0, last_ = 0;
   std::vector<Stage> stages_;
@@ -121,7 +119,7 @@ void keepLongest(std::vector<double>& corrections) {
 
 }  // namespace
 
-ClockSteps findClockSteps(const std::vector<TimedAzimuth>& plots, const Rotation& rotation) {
+ClockSteps findClockSteps(const TimedAzimuths& plots, const Rotation& rotation) {
   ClockSteps found;
   found.corrections.assign(plots.size(), 0.0);
   for (const Rotation::Break& at : rotation.breaks()) {

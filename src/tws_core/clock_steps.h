@@ -22,6 +22,6 @@ struct ClockSteps {
 /// came within two and a half revolutions lies on the beam as it was before or as it is afterwards. A step back makes
 /// plots of both lie between each other. `plots` in order of time, those from which `rotation` was made. Corrections
 /// are zero in the part between two steps that has the most plots: its times stay.
-ClockSteps findClockSteps(const std::vector<TimedAzimuth>& plots, const Rotation& rotation);
+ClockSteps findClockSteps(const TimedAzimuths& plots, const Rotation& rotation);
 
 }  // namespace tws

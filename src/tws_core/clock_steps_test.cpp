@@ -13,7 +13,7 @@ namespace tws {
 namespace {
 
 struct Recording {
-  std::vector<TimedAzimuth> plots;  // in order of their times
+  TimedAzimuths plots;  // in order of their times
   std::vector<double> true_times;
 };
 

@@ -11,11 +11,9 @@
 namespace tws {
 namespace {
 
-using Plots = std::vector<TimedAzimuth>;
-
 constexpr std::size_t kFewPlots = 20;
 
-std::vector<double> distinctTimes(const Plots& plots) {
+std::vector<double> distinctTimes(const TimedAzimuths& plots) {
   std::vector<double> times;
   times.reserve(plots.size());
   for (const TimedAzimuth& plot : plots) times.push_back(plot.time);
@@ -24,9 +22,9 @@ std::vector<double> distinctTimes(const Plots& plots) {
   return times;
 }
 
-// How far the beam stands from the plots' azimuths at their times, in the middle of all [rad]. Plots all round show
-// none: then the times count as cut off.
-double middleOf(const Plots& plots, const Rotation& rotation, double step) {
+// How far the beam stands from the plots' azimuths at their times, in the middle of all [rad]. TimedAzimuths all round
+// show none: then the times count as cut off.
+double middleOf(const TimedAzimuths& plots, const Rotation& rotation, double step) {
   constexpr double kClearly = 0.4;
   std::complex<double> sum;
   for (const TimedAzimuth& plot : plots) sum += std::polar(1.0, plot.azimuth - rotation.unwrappedAt(plot.time));
@@ -36,7 +34,7 @@ double middleOf(const Plots& plots, const Rotation& rotation, double step) {
 
 // How much the mean directions of plots of one time differ from those of the next time, 0 .. 2: little when each time
 // stands for a whole revolution.
-double changeOfDirections(const Plots& plots) {
+double changeOfDirections(const TimedAzimuths& plots) {
   double sum = 0.0, changes = 0.0;
   std::optional<std::complex<double>> before;
   for (auto first = plots.begin(); first != plots.end();) {
@@ -54,7 +52,7 @@ double changeOfDirections(const Plots& plots) {
 
 }  // namespace
 
-double commonStep(const Plots& plots) {
+double commonStep(const TimedAzimuths& plots) {
   constexpr double kLeast = 0.02, kNear = 0.001;  // [s]
   const std::vector<double> times = distinctTimes(plots);
   if (plots.size() < kFewPlots || times.size() < 3) return 0.0;
@@ -69,7 +67,7 @@ double commonStep(const Plots& plots) {
   return even ? step : 0.0;
 }
 
-std::vector<double> refinedTimes(const Plots& plots, const Rotation& rotation, double step) {
+std::vector<double> refinedTimes(const TimedAzimuths& plots, const Rotation& rotation, double step) {
   const double middle = middleOf(plots, rotation, step);
   std::vector<double> times;
   times.reserve(plots.size());
@@ -82,7 +80,7 @@ std::vector<double> refinedTimes(const Plots& plots, const Rotation& rotation, d
   return times;
 }
 
-std::optional<Rotation> rotationOfWholeScans(const Plots& plots) {
+std::optional<Rotation> rotationOfWholeScans(const TimedAzimuths& plots) {
   constexpr double kShortest = 1.05, kLongest = 59.0;  // [s]
   constexpr double kSeveral = 3.0;                     // plots of one time
   constexpr double kLittle = 0.45;

@@ -33,7 +33,7 @@ double bowringLatitude(double axis_distance, double z) {
   return latitude;
 }
 
-void check(const Geodetic& place) {
+void checkPlace(const Geodetic& place) {
   const bool finite = std::isfinite(place.longitude) && std::isfinite(place.altitude);
   if (finite && std::abs(place.latitude) <= kPi / 2.0) return;
   throw std::invalid_argument("LocalFrame: no place on earth: latitude " + std::to_string(place.latitude) +
@@ -66,7 +66,7 @@ double altitudeOverSphere(const Eigen::Vector3d& enu) {
 }
 
 LocalFrame::LocalFrame(const Geodetic& origin) : origin_(origin) {
-  check(origin);
+  checkPlace(origin);
   origin_ecef_ = ecefFromGeodetic(origin);
   const double sin_lat = std::sin(origin.latitude), cos_lat = std::cos(origin.latitude);
   const double sin_lon = std::sin(origin.longitude), cos_lon = std::cos(origin.longitude);

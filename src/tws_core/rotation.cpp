@@ -17,8 +17,6 @@
 namespace tws {
 namespace {
 
-using Plots = std::vector<TimedAzimuth>;
-
 constexpr double kGreatestDrift = 0.03;  // share by which the local turning rate may differ from the mean
 
 // The mean beam of a few turns: wrapped azimuth [rad] at a time amid its plots [s], turning rate [rad/s].
@@ -36,7 +34,7 @@ void checkPeriod(double period) {
 }
 
 // In order of time, the earliest at time 0, so that phases stay exact for times far from zero. Returns that time.
-double sortFromZero(Plots& plots) {
+double sortFromZero(TimedAzimuths& plots) {
   for (std::size_t i = 0; i < plots.size(); ++i) {
     if (std::abs(plots[i].time) <= 1e10 && std::isfinite(plots[i].azimuth)) continue;
     throw std::invalid_argument("Rotation: plot " + std::to_string(i) +
@@ -124,7 +122,7 @@ std::optional<BeamLine> fitLineAtAnySpeed(const TimedAzimuth* first, const Timed
   constexpr double kTimes = 3.0;
   if (const auto line = fitLine(first, last, frequency)) return line;
   try {
-    const double other = findFrequency(Plots(first, last));
+    const double other = findFrequency(TimedAzimuths(first, last));
     if (other > frequency / kTimes && other < frequency * kTimes) return fitLine(first, last, other);
   } catch (const std::invalid_argument&) {
   }
@@ -132,7 +130,7 @@ std::optional<BeamLine> fitLineAtAnySpeed(const TimedAzimuth* first, const Timed
 }
 
 // Ten turns [s], more where plots are few.
-double windowLength(const Plots& plots, double frequency) {
+double windowLength(const TimedAzimuths& plots, double frequency) {
   constexpr double kTurns = 10.0;
   constexpr double kPlots = 20.0;
   const double sparse = kPlots * seenSpan(plots, 1.0 / frequency) / static_cast<double>(plots.size());
@@ -148,7 +146,7 @@ void append(std::vector<BeamLine>& lines, const BeamLine& line, double length) {
 
 // A break near an end is within the outer window, whose line, if any, is that of its better part: of the other part, a
 // quarter or half of the window may have one.
-std::optional<BeamLine> lineAtEnd(const Plots& plots, const BeamLine& outer, double frequency, double length,
+std::optional<BeamLine> lineAtEnd(const TimedAzimuths& plots, const BeamLine& outer, double frequency, double length,
                                   bool late) {
   constexpr std::ptrdiff_t kLeastPlots = 12;
   const TimedAzimuth* const first = plots.data();
@@ -163,14 +161,14 @@ std::optional<BeamLine> lineAtEnd(const Plots& plots, const BeamLine& outer, dou
   return std::nullopt;
 }
 
-void addEnds(std::vector<BeamLine>& lines, const Plots& plots, double frequency, double length) {
+void addEnds(std::vector<BeamLine>& lines, const TimedAzimuths& plots, double frequency, double length) {
   if (lines.empty()) return;
   if (const auto line = lineAtEnd(plots, lines.front(), frequency, length, false)) lines.insert(lines.begin(), *line);
   if (const auto line = lineAtEnd(plots, lines.back(), frequency, length, true)) lines.push_back(*line);
 }
 
 // Lines through windows of this length, each half over the one before, the last one whole as well.
-std::vector<BeamLine> localLines(const Plots& plots, double frequency, double length) {
+std::vector<BeamLine> localLines(const TimedAzimuths& plots, double frequency, double length) {
   constexpr std::size_t kLeastPlots = 12;
   const TimedAzimuth* const end = plots.data() + plots.size();
   const double span = plots.back().time;
@@ -204,7 +202,7 @@ void dropWorst(std::vector<BeamLine>& lines) {
 double misfit(double residual) { return std::min(std::abs(wrapPi(residual)), radians(20.0)); }
 
 // Where the beam went over from one line to the next; nothing: it went evenly. `between`: the plots amid both.
-std::optional<double> breakBetween(const BeamLine& before, const BeamLine& line, const Plots& between) {
+std::optional<double> breakBetween(const BeamLine& before, const BeamLine& line, const TimedAzimuths& between) {
   constexpr double kClearly = radians(5.0), kLess = 0.5;
   if (between.size() < 4) return std::nullopt;
   const double turns = line.azimuth - before.azimuth;
@@ -229,14 +227,14 @@ std::optional<double> breakBetween(const BeamLine& before, const BeamLine& line,
   return (between[first_after - 1].time + between[first_after].time) / 2.0;
 }
 
-Plots plotsBetween(const Plots& plots, double start, double end) {
+TimedAzimuths plotsBetween(const TimedAzimuths& plots, double start, double end) {
   const TimedAzimuth* const last = plots.data() + plots.size();
-  return Plots(firstNotBefore(plots.data(), last, start), firstNotBefore(plots.data(), last, end));
+  return TimedAzimuths(firstNotBefore(plots.data(), last, start), firstNotBefore(plots.data(), last, end));
 }
 
 // Counts the whole turns from line to line, by the mean of both rates; over a break, the fewest. The breaks' times
 // stand for the line behind them, NaN: none.
-std::vector<double> unwrap(std::vector<BeamLine>& lines, const Plots& plots, double longest) {
+std::vector<double> unwrap(std::vector<BeamLine>& lines, const TimedAzimuths& plots, double longest) {
   std::vector<double> breaks(lines.size(), std::nan(""));
   for (std::size_t i = 1; i < lines.size(); ++i) {
     const BeamLine& before = lines[i - 1];
@@ -260,19 +258,19 @@ Rotation Rotation::uniform(double period, double azimuth_at_zero) {
   return Rotation({{0.0, azimuth_at_zero}, {period, azimuth_at_zero + kTwoPi}});
 }
 
-Rotation Rotation::fromPlots(std::vector<TimedAzimuth> plots) {
+Rotation Rotation::fromPlots(TimedAzimuths plots) {
   const double start = sortFromZero(plots);
   return follow(plots, findFrequency(plots), start);
 }
 
-Rotation Rotation::fromPlots(std::vector<TimedAzimuth> plots, double period) {
+Rotation Rotation::fromPlots(TimedAzimuths plots, double period) {
   checkPeriod(period);
   const double start = sortFromZero(plots);
   return follow(plots, findFrequency(plots, period), start);
 }
 
 // A beam far from most plots is none, however coherent some of them are.
-static void checkThatItExplains(const Rotation& rotation, const Plots& plots, double start) {
+static void checkThatItExplains(const Rotation& rotation, const TimedAzimuths& plots, double start) {
   constexpr double kMost = 0.6;
   const auto azimuthAt = [&](double time) { return rotation.unwrappedAt(start + time); };
   const auto near = countNear(plots.data(), plots.data() + plots.size(), azimuthAt);
@@ -285,7 +283,7 @@ static void checkThatItExplains(const Rotation& rotation, const Plots& plots, do
 
 // The knots are the lines' middles, where they are known best. The outer lines, and those beside a gap, go on by half a
 // window: what lies between them is not known.
-Rotation Rotation::follow(const std::vector<TimedAzimuth>& plots, double frequency, double start) {
+Rotation Rotation::follow(const TimedAzimuths& plots, double frequency, double start) {
   const double length = windowLength(plots, frequency);
   std::vector<BeamLine> lines = localLines(plots, frequency, length);
   if (lines.empty()) {

@@ -13,6 +13,8 @@ struct TimedAzimuth {
   double azimuth;
 };
 
+using TimedAzimuths = std::vector<TimedAzimuth>;
+
 /// How a radar's beam turned: its unwrapped azimuth [rad] (each turn adds 2π) against time [s], piecewise linear and
 /// strictly increasing. Beyond the plots it turns on as it did in the last (first) ten turns.
 class Rotation {
@@ -26,10 +28,10 @@ class Rotation {
   /// beam was. The unwrapped azimuth is in [0, 2π) at the first plot. Plots that do not tell a period from its
   /// fractions (all at one azimuth) get the longest. Throws std::invalid_argument that says why when the plots show no
   /// rotation, or one has a time beyond ±1e10 s or an azimuth that is not finite.
-  static Rotation fromPlots(std::vector<TimedAzimuth> plots);
+  static Rotation fromPlots(TimedAzimuths plots);
   /// The same with a known nominal period in 0.01..100000 s, right to about 2 %: five plots are enough, and less than
   /// three turns of them give the phase alone.
-  static Rotation fromPlots(std::vector<TimedAzimuth> plots, double period);
+  static Rotation fromPlots(TimedAzimuths plots, double period);
 
   /// The mean [s] over the time seen.
   double period() const;
@@ -53,7 +55,7 @@ class Rotation {
   };
 
   explicit Rotation(std::vector<Knot> knots) : knots_(std::move(knots)) {}
-  static Rotation follow(const std::vector<TimedAzimuth>& plots, double frequency, double start);
+  static Rotation follow(const TimedAzimuths& plots, double frequency, double start);
 
   std::vector<Break> breaks_;
   std::vector<Knot> knots_;  // two or more, both members strictly increasing

@@ -11,7 +11,7 @@
 namespace tws {
 namespace {
 
-using TimedPlots = std::vector<TimedAzimuth>;
+using TimedPlots = TimedAzimuths;
 using Windows = std::vector<PlotWindow>;
 
 constexpr double kShortestPeriod = 0.19;  // [s] a little beyond 0.2..120 s, so that both ends are found
@@ -205,7 +205,7 @@ std::complex<double> PlotWindow::resultant(double frequency) const {
   return {cosines, sines};
 }
 
-double seenSpan(const std::vector<TimedAzimuth>& plots, double period) {
+double seenSpan(const TimedAzimuths& plots, double period) {
   constexpr double kTurns = 100.0;
   double span = 0.0;
   for (std::size_t i = 1; i < plots.size(); ++i) {

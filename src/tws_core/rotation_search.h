@@ -33,7 +33,7 @@ class PlotWindow {
 const TimedAzimuth* firstNotBefore(const TimedAzimuth* first, const TimedAzimuth* last, double time);
 
 /// How long plots in order of time were seen [s], without gaps of a hundred turns of `period` [s] or more.
-double seenSpan(const std::vector<TimedAzimuth>& plots, double period);
+double seenSpan(const TimedAzimuths& plots, double period);
 
 /// The most coherent frequency within the share `tolerance` of `frequency`, of plots in order of time;
 /// `frequency` itself when they last less than three turns.
@@ -41,8 +41,8 @@ CoherencePeak peakNear(const TimedAzimuth* first, const TimedAzimuth* last, doub
 
 /// The frequency of a beam with a period of 0.2..120 s, from plots in order of time with times near zero. Throws
 /// std::invalid_argument that says why when there are too few or they do not show one.
-double findFrequency(const std::vector<TimedAzimuth>& plots);
+double findFrequency(const TimedAzimuths& plots);
 /// The same near a known period [s].
-double findFrequency(const std::vector<TimedAzimuth>& plots, double period);
+double findFrequency(const TimedAzimuths& plots, double period);
 
 }  // namespace tws

@@ -20,19 +20,18 @@
 namespace tws {
 namespace {
 
-using Plots = std::vector<TimedAzimuth>;
 using Turning = std::function<double(double)>;  // true unwrapped azimuth [rad] at a time [s]
 
 Turning even(double period, double phase) {
   return [=](double time) { return phase + kTwoPi * time / period; };
 }
 
-// Plots at random times from `start` to `end`, `rate` a second, with azimuth noise; a share `false_share` of them at
-// any azimuth.
-Plots plotsOf(std::mt19937_64& generator, const Turning& beam, double start, double end, double rate,
-              double false_share = 0.0, double noise = radians(0.3)) {
+// TimedAzimuths at random times from `start` to `end`, `rate` a second, with azimuth noise; a share `false_share` of
+// them at any azimuth.
+TimedAzimuths plotsOf(std::mt19937_64& generator, const Turning& beam, double start, double end, double rate,
+                      double false_share = 0.0, double noise = radians(0.3)) {
   std::normal_distribution<double> error(0.0, noise);
-  Plots plots;
+  TimedAzimuths plots;
   for (int left = static_cast<int>((end - start) * rate); left > 0; --left) {
     const double time = uniform(generator, start, end);
     const bool is_false = uniform(generator, 0.0, 1.0) < false_share;
@@ -51,7 +50,7 @@ double worstError(const Rotation& rotation, const Turning& beam, double start, d
   return worst;
 }
 
-double medianResidual(const Rotation& rotation, const Plots& plots) {
+double medianResidual(const Rotation& rotation, const TimedAzimuths& plots) {
   std::vector<double> residuals;
   for (const TimedAzimuth& plot : plots) {
     residuals.push_back(std::abs(angularDifference(plot.azimuth, rotation.unwrappedAt(plot.time))));
@@ -111,7 +110,7 @@ TEST(Rotation, IsFoundFromThreeTargetsAmongFalsePlots) {
   for (int trial = 0; trial < 100; ++trial) {
     const double period = std::exp(uniform(generator, 0.0, std::log(60.0)));
     const Turning beam = even(period, 1.0);
-    Plots plots = plotsOf(generator, beam, 0.0, 30.0 * period, 0.75 / period, 1.0);  // a false one in five
+    TimedAzimuths plots = plotsOf(generator, beam, 0.0, 30.0 * period, 0.75 / period, 1.0);  // a false one in five
     for (int target = 0; target < 3; ++target) {
       const double share = uniform(generator, 0.0, 1.0);
       for (int turn = 0; turn < 30; ++turn) {
@@ -142,9 +141,9 @@ TEST(Rotation, CountsTheTurnsOverGapsOfAMinute) {
   for (const double period : {1.0, 4.0}) {
     const double slow = kTwoPi / 900.0;
     const Turning beam = [=](double t) { return kTwoPi / period * (t + 0.002 / slow * std::sin(slow * t)); };
-    Plots plots;
+    TimedAzimuths plots;
     for (double start = 0.0; start < 900.0; start += 180.0) {
-      const Plots part = plotsOf(generator, beam, start, start + 120.0, 5.0);
+      const TimedAzimuths part = plotsOf(generator, beam, start, start + 120.0, 5.0);
       plots.insert(plots.end(), part.begin(), part.end());
     }
     const Rotation rotation = Rotation::fromPlots(plots);
@@ -160,7 +159,7 @@ TEST(Rotation, CountsTheTurnsOverGapsOfAMinute) {
 
 // One ship alone fits every fraction of the period as well.
 TEST(Rotation, OfPlotsOfOneTargetHasTheLongestPeriodThatFits) {
-  Plots plots;
+  TimedAzimuths plots;
   for (int turn = 0; turn < 40; ++turn) plots.push_back({1.0 + 2.5 * turn, radians(144.0)});
   const Rotation rotation = Rotation::fromPlots(plots);
   EXPECT_NEAR(rotation.period(), 2.5, 1e-6);
@@ -170,7 +169,7 @@ TEST(Rotation, OfPlotsOfOneTargetHasTheLongestPeriodThatFits) {
 TEST(Rotation, DoesNotDependOnTheOrderOfThePlotsNorOnTheEpoch) {
   auto generator = seededGenerator();
   constexpr double kEpoch = 1.7e9;
-  Plots plots = plotsOf(generator, even(6.0, 0.0), 0.0, 300.0, 3.0);
+  TimedAzimuths plots = plotsOf(generator, even(6.0, 0.0), 0.0, 300.0, 3.0);
   const Rotation rotation = Rotation::fromPlots(plots);
   std::shuffle(plots.begin(), plots.end(), generator);
   EXPECT_EQ(Rotation::fromPlots(plots).unwrappedAt(100.0), rotation.unwrappedAt(100.0));
@@ -187,8 +186,8 @@ TEST(Rotation, GoesOnBehindABreak) {
   for (const Case& c : {Case{5.0, 0.0}, Case{3.2, 0.0}, Case{4.0, 1.5}, Case{4.0, kPi}}) {
     const Turning before = even(4.0, 1.0);
     const Turning after = [&](double t) { return before(300.0) + c.jump + kTwoPi * (t - 300.0) / c.period; };
-    Plots plots = plotsOf(generator, before, 0.0, 300.0, 5.0, 0.1);
-    const Plots more = plotsOf(generator, after, 300.0, 600.0, 5.0, 0.1);
+    TimedAzimuths plots = plotsOf(generator, before, 0.0, 300.0, 5.0, 0.1);
+    const TimedAzimuths more = plotsOf(generator, after, 300.0, 600.0, 5.0, 0.1);
     plots.insert(plots.end(), more.begin(), more.end());
     const Rotation rotation = Rotation::fromPlots(plots);
     ASSERT_EQ(rotation.breaks().size(), 1U) << c.period << ' ' << c.jump;
@@ -206,8 +205,8 @@ TEST(Rotation, BeginsAndEndsWithAShortPiece) {
   for (const double at : {12.0, 20.0, 280.0, 288.0}) {
     const Turning before = even(4.0, 1.0);
     const Turning after = even(4.0, 1.0 + kPi / 2.0);
-    Plots plots = plotsOf(generator, before, 0.0, at, 5.0);
-    const Plots more = plotsOf(generator, after, at, 300.0, 5.0);
+    TimedAzimuths plots = plotsOf(generator, before, 0.0, at, 5.0);
+    const TimedAzimuths more = plotsOf(generator, after, at, 300.0, 5.0);
     plots.insert(plots.end(), more.begin(), more.end());
     const Rotation rotation = Rotation::fromPlots(plots);
     EXPECT_EQ(rotation.breaks().size(), 1U) << at;
@@ -230,8 +229,8 @@ TEST(Rotation, OfTwoStretchesIsFoundWhateverTheGap) {
   auto generator = seededGenerator();
   for (const double gap : {500.0, 3600.0, 21600.0, 86000.0}) {
     const Turning beam = even(4.0, 1.0);
-    Plots plots = plotsOf(generator, beam, 0.0, 180.0, 3.0);
-    const Plots more = plotsOf(generator, beam, gap, gap + 180.0, 3.0);
+    TimedAzimuths plots = plotsOf(generator, beam, 0.0, 180.0, 3.0);
+    const TimedAzimuths more = plotsOf(generator, beam, gap, gap + 180.0, 3.0);
     plots.insert(plots.end(), more.begin(), more.end());
     const Rotation rotation = Rotation::fromPlots(plots);
     EXPECT_LT(worstError(rotation, beam, 0.0, 180.0), radians(1.0)) << gap;
@@ -241,7 +240,7 @@ TEST(Rotation, OfTwoStretchesIsFoundWhateverTheGap) {
 
 TEST(Rotation, WithAKnownPeriodNeedsOnlyAFewPlotsForThePhase) {
   const Turning beam = even(12.0, 2.0);
-  Plots plots;
+  TimedAzimuths plots;
   for (const double time : {1.0, 2.0, 5.0, 11.0, 17.0}) plots.push_back({time, wrapTwoPi(beam(time))});
   const Rotation rotation = Rotation::fromPlots(plots, 12.0);
   EXPECT_NEAR(rotation.period(), 12.0, 1e-9);
@@ -265,8 +264,8 @@ TEST(Rotation, RefusesPlotsThatShowNone) {
   EXPECT_THROW(Rotation::fromPlots({}, 6.0), std::invalid_argument);
   EXPECT_THROW(Rotation::fromPlots(plotsOf(generator, beam, 0.0, 60.0, 0.3)), std::invalid_argument);   // 18 plots
   EXPECT_THROW(Rotation::fromPlots(plotsOf(generator, beam, 0.0, 2.0, 100.0)), std::invalid_argument);  // a third turn
-  EXPECT_THROW(Rotation::fromPlots(Plots(100, {1.0, 1.0})), std::invalid_argument);  // all at one instant
-  EXPECT_THROW(Rotation::fromPlots(Plots(100, {1.0, 1.0}), 6.0), std::invalid_argument);
+  EXPECT_THROW(Rotation::fromPlots(TimedAzimuths(100, {1.0, 1.0})), std::invalid_argument);  // all at one instant
+  EXPECT_THROW(Rotation::fromPlots(TimedAzimuths(100, {1.0, 1.0}), 6.0), std::invalid_argument);
   EXPECT_THROW(Rotation::fromPlots({{0.0, 1.0}, {1e9, 2.0}, {1e10, 3.0}, {-1e10, 4.0}, {5.0, 0.0}}, 0.01),
                std::invalid_argument);
   const Turning backwards = even(-6.0, 0.0);
@@ -278,14 +277,14 @@ TEST(Rotation, RefusesRandomPlotsHoweverFewOrMany) {
   auto generator = seededGenerator();
   for (int trial = 0; trial < 100; ++trial) {
     const double rate = std::pow(10.0, uniform(generator, -1.4, 0.5));
-    const Plots plots = plotsOf(generator, even(6.0, 0.0), 0.0, 600.0, rate, 1.0);
+    const TimedAzimuths plots = plotsOf(generator, even(6.0, 0.0), 0.0, 600.0, rate, 1.0);
     EXPECT_THROW(Rotation::fromPlots(plots), std::invalid_argument) << plots.size();
   }
 }
 
 TEST(Rotation, RefusesNumbersThatAreNone) {
   constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-  Plots plots(100, {1.0, 1.0});
+  TimedAzimuths plots(100, {1.0, 1.0});
   plots[42].azimuth = kNaN;
   try {
     Rotation::fromPlots(plots);
@@ -301,10 +300,11 @@ TEST(Rotation, RefusesNumbersThatAreNone) {
   EXPECT_THROW(Rotation::uniform(6.0, kNaN), std::invalid_argument);
 }
 
-// Plots of each radar in a file with columns t_s,radar,scan,range_m,az_deg,… of the data folder; empty without it.
-std::map<int, Plots> readPlots(const std::string& name) {
+// TimedAzimuths of each radar in a file with columns t_s,radar,scan,range_m,az_deg,… of the data folder; empty without
+// it.
+std::map<int, TimedAzimuths> readPlots(const std::string& name) {
   const char* folder = std::getenv("TWS_SHARED");
-  std::map<int, Plots> plots;
+  std::map<int, TimedAzimuths> plots;
   if (folder == nullptr) return plots;
   std::ifstream file(std::string(folder) + "/" + name);
   std::string line;
@@ -321,7 +321,7 @@ std::map<int, Plots> readPlots(const std::string& name) {
 
 TEST(RotationOfData, OfARealRadarIsFoundAndFollowedFor48Minutes) {
   if (std::getenv("TWS_SHARED") == nullptr) GTEST_SKIP() << "TWS_SHARED is not set: no real data";
-  const Plots plots = readPlots("data/asterix_msr_canalA/plots.csv")[0];
+  const TimedAzimuths plots = readPlots("data/asterix_msr_canalA/plots.csv")[0];
   ASSERT_EQ(plots.size(), 30651U);
   const Rotation rotation = Rotation::fromPlots(plots);
   EXPECT_NEAR(rotation.period(), 4.008, 0.004);

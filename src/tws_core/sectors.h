@@ -10,6 +10,7 @@ namespace tws {
 /// Azimuth-Sector Files"). Sector i covers [i, i+1)·5.625°, clockwise from true north; the report counts from 1, we
 /// from 0.
 constexpr int kSectors = 64;
+constexpr int kHalfTurn = kSectors / 2;  // [sectors]
 /// [rad]
 constexpr double kSectorWidth = kTwoPi / kSectors;
 
@@ -19,7 +20,7 @@ constexpr int wrapSector(int sector) { return sector & (kSectors - 1); }
 /// Sectors from b to a the shorter way, in (-32, 32]. Takes any integers.
 constexpr int sectorDifference(int a, int b) {
   const int forward = wrapSector(a - b);
-  return forward > kSectors / 2 ? forward - kSectors : forward;
+  return forward > kHalfTurn ? forward - kSectors : forward;
 }
 
 /// Azimuth at which the beam enters the sector [rad], for 0..63; 64 gives 2π.

@@ -11,7 +11,7 @@
 namespace tws {
 namespace {
 
-void expectNear(const Eigen::MatrixXd& actual, const Eigen::MatrixXd& expected, double tolerance) {
+void expectClose(const Eigen::MatrixXd& actual, const Eigen::MatrixXd& expected, double tolerance) {
   EXPECT_LE((actual - expected).norm(), tolerance) << "is\n" << actual << "\nnot\n" << expected;
 }
 
@@ -22,9 +22,9 @@ Ruv randomRuv(std::mt19937_64& generator) {
 
 // A wrong sign of u mirrors the picture of the whole array.
 TEST(SineSpace, CountsUToTheRightOfBoresightAndVUpwards) {
-  expectNear(arrayFromRuv({100.0, 0.0, 0.0}), Eigen::Vector3d(100, 0, 0), 1e-12);
-  expectNear(arrayFromRuv({100.0, 0.6, 0.0}), Eigen::Vector3d(80, -60, 0), 1e-12);
-  expectNear(arrayFromRuv({100.0, 0.0, 0.28}), Eigen::Vector3d(96, 0, 28), 1e-12);
+  expectClose(arrayFromRuv({100.0, 0.0, 0.0}), Eigen::Vector3d(100, 0, 0), 1e-12);
+  expectClose(arrayFromRuv({100.0, 0.6, 0.0}), Eigen::Vector3d(80, -60, 0), 1e-12);
+  expectClose(arrayFromRuv({100.0, 0.0, 0.28}), Eigen::Vector3d(96, 0, 28), 1e-12);
 }
 
 TEST(SineSpace, SolvesATriangleOfWholeNumbers) {
@@ -67,7 +67,7 @@ TEST(SineSpaceJacobians, AreTheNumericalDerivatives) {
       };
       numeric.col(column) = (moved(steps[column]) - moved(-steps[column])) / (2.0 * steps[column]);
     }
-    expectNear(arrayFromRuvJacobian(at), numeric, 1e-6 * numeric.norm());
+    expectClose(arrayFromRuvJacobian(at), numeric, 1e-6 * numeric.norm());
   }
 }
 
@@ -75,19 +75,19 @@ TEST(SineSpaceJacobians, AreInverseToEachOther) {
   auto generator = seededGenerator();
   for (int i = 0; i < 1000; ++i) {
     const Ruv at = randomRuv(generator);
-    expectNear(ruvFromArrayJacobian(arrayFromRuv(at)) * arrayFromRuvJacobian(at), Eigen::Matrix3d::Identity(), 1e-9);
+    expectClose(ruvFromArrayJacobian(arrayFromRuv(at)) * arrayFromRuvJacobian(at), Eigen::Matrix3d::Identity(), 1e-9);
   }
 }
 
 TEST(ArrayRotation, PutsBoresightLeftAndUpInTheirPlaces) {
   const Eigen::Matrix3d east = enuFromArrayRotation(radians(90.0), 0.0);
-  expectNear(east.col(0), Eigen::Vector3d(1, 0, 0), 1e-15);  // boresight east,
-  expectNear(east.col(1), Eigen::Vector3d(0, 1, 0), 1e-15);  // left is north,
-  expectNear(east.col(2), Eigen::Vector3d(0, 0, 1), 1e-15);
+  expectClose(east.col(0), Eigen::Vector3d(1, 0, 0), 1e-15);  // boresight east,
+  expectClose(east.col(1), Eigen::Vector3d(0, 1, 0), 1e-15);  // left is north,
+  expectClose(east.col(2), Eigen::Vector3d(0, 0, 1), 1e-15);
   const Eigen::Matrix3d tilted = enuFromArrayRotation(0.0, radians(30.0));
-  expectNear(tilted.col(0), Eigen::Vector3d(0, std::sqrt(0.75), 0.5), 1e-15);
-  expectNear(tilted.col(1), Eigen::Vector3d(-1, 0, 0), 1e-15);
-  expectNear(tilted.col(2), Eigen::Vector3d(0, -0.5, std::sqrt(0.75)), 1e-15);
+  expectClose(tilted.col(0), Eigen::Vector3d(0, std::sqrt(0.75), 0.5), 1e-15);
+  expectClose(tilted.col(1), Eigen::Vector3d(-1, 0, 0), 1e-15);
+  expectClose(tilted.col(2), Eigen::Vector3d(0, -0.5, std::sqrt(0.75)), 1e-15);
 }
 
 }  // namespace

@@ -12,8 +12,6 @@
 namespace track_correlator {
 namespace {
 
-constexpr std::int64_t kHalfTurn = tws::kSectors / 2;
-
 void check(bool good, const char* rule) {
   if (!good) throw std::invalid_argument(std::string("correlator: ") + rule);
 }
@@ -175,7 +173,7 @@ void Correlator::correlateByDistance(const Mark& mark) {
     if ((rival || track->isDue(mark.running)) && isFree(table_.ofPrimary(uid))) primaries.emplace_back(uid, track);
   }
   for (const auto& [uid, track] : near_secondaries_) {
-    const bool near = std::abs(track->behind) <= 1 && mark.running - track->taken >= kHalfTurn;
+    const bool near = std::abs(track->behind) <= 1 && mark.running - track->taken >= tws::kHalfTurn;
     if (near && isFree(table_.ofSecondary(uid))) secondaries.emplace_back(uid, track);
   }
   std::vector<GatedPair> pairs;

@@ -8,7 +8,6 @@
 namespace track_correlator {
 namespace {
 
-constexpr std::int64_t kHalfTurn = tws::kSectors / 2;
 constexpr int kAhead = 1, kBehind = 2;  // [sectors]
 
 }  // namespace
@@ -19,7 +18,7 @@ Eigen::Vector4d KnownTrack::at(double time) const {
   return now;
 }
 
-bool KnownTrack::isFresh(std::int64_t running) const { return running - done >= kHalfTurn; }
+bool KnownTrack::isFresh(std::int64_t running) const { return running - done >= tws::kHalfTurn; }
 
 bool KnownTrack::isDue(std::int64_t running) const { return behind >= 0 && behind <= kBehind && isFresh(running); }
 

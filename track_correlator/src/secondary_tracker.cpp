@@ -11,9 +11,7 @@
 namespace track_correlator {
 namespace {
 
-constexpr std::int64_t kLongestGap = std::int64_t{8} * tws::kSectors;
-// A track is processed once a turn: not again before half a turn.
-constexpr std::int64_t kHalfTurn = tws::kSectors / 2;
+constexpr std::int64_t kLongestSilence = std::int64_t{8} * tws::kSectors;
 
 void check(bool good, const char* rule) {
   if (!good) throw std::invalid_argument(std::string("secondary tracker: ") + rule);
@@ -35,7 +33,7 @@ SecondaryTracker::SecondaryTracker(const SecondaryParams& params, OnReport on_re
 void SecondaryTracker::add(SecondarySector sector) {
   if (stored_.empty()) begin(sector);
   const std::int64_t gap = sector.running - stored_.back().sector.running;
-  if (gap > kLongestGap || gap <= -tws::kSectors) {
+  if (gap > kLongestSilence || gap <= -tws::kSectors) {
     // One stray number does no harm: two in line are the radar's new count.
     const bool new_count = stray_ && sector.running == *stray_ + 1;
     stray_ = sector.running;
@@ -60,7 +58,7 @@ void SecondaryTracker::add(SecondarySector sector) {
 bool SecondaryTracker::leapsTo(const SecondarySector& next) const {
   const SecondarySector& last = stored_.back().sector;
   const auto numbers = static_cast<double>(next.running - last.running);
-  return numbers * sector_duration_ - (next.leave_time - last.leave_time) > kHalfTurn * sector_duration_;
+  return numbers * sector_duration_ - (next.leave_time - last.leave_time) > tws::kHalfTurn * sector_duration_;
 }
 
 void SecondaryTracker::fillGap(const SecondarySector& next) {
@@ -107,7 +105,7 @@ std::vector<std::size_t> SecondaryTracker::tracksNear(std::int64_t running, doub
     const double dt = time - tracks_[i].time;
     const Eigen::Vector2d where = mean.head<2>() + dt * mean.tail<2>();
     const int behind = tws::sectorDifference(sector, tws::sectorOf(tws::azimuthOf(where)));
-    const bool waits = running - tracks_[i].done >= kHalfTurn;
+    const bool waits = running - tracks_[i].done >= tws::kHalfTurn;
     // Behind by one or two: it moved against the beam, out of a sector that was still to come.
     if (waits && behind >= 0 && behind <= 2)
       due.push_back(i);
@@ -127,7 +125,7 @@ void SecondaryTracker::process(std::size_t index) {
   std::vector<const SecondaryTrack*> tracks, neighbours;
   for (const std::size_t i : due) tracks.push_back(&tracks_[i]);
   for (const std::size_t i : others)
-    (sector.running - tracks_[i].done >= kHalfTurn ? tracks : neighbours).push_back(&tracks_[i]);
+    (sector.running - tracks_[i].done >= tws::kHalfTurn ? tracks : neighbours).push_back(&tracks_[i]);
   std::vector<PlacedPlot> plots;
   std::vector<std::pair<std::size_t, std::size_t>> where;
   for (std::size_t s = index - 1; s <= index + 1; ++s) {

@@ -6,26 +6,18 @@
 #include <tws_msgs/SectorMark.h>
 #include <tws_msgs/SsrPlots.h>
 #include <tws_msgs/Tracks.h>
+#include <tws_runtime/live_test_helpers.h>
 
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <vector>
 
 namespace {
 
-constexpr std::uint32_t kUnbounded = 0;  // queue
+using tws_runtime::kUnbounded, tws_runtime::waitFor;
+
 constexpr double kStart = 1000.0, kSectorTime = 0.1;
 constexpr double kRange = 40e3, kAzimuth = 1.02;  // in sector 10
-
-bool waitFor(const std::function<bool()>& condition, double seconds = 60.0) {
-  const ros::WallTime end = ros::WallTime::now() + ros::WallDuration(seconds);
-  while (!condition() && ros::WallTime::now() < end) {
-    ros::spinOnce();
-    ros::WallDuration(0.001).sleep();
-  }
-  return condition();
-}
 
 /// Stands in for the radar "ssr" and for the primary tracker; one aircraft stands still.
 class Station {

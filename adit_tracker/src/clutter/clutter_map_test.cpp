@@ -5,18 +5,12 @@
 #include <tws_core/angles.h>
 #include <tws_core/random_test_helpers.h>
 
+#include "core/plot_test_helpers.h"
+
 namespace adit_tracker {
 namespace {
 
 constexpr double kSector = tws::kSectorWidth;
-
-tws::Plot plotAt(double time, double range, double azimuth) {
-  tws::Plot plot;
-  plot.time = time;
-  plot.range = range;
-  plot.azimuth = tws::wrapTwoPi(azimuth);
-  return plot;
-}
 
 RadarState radarWithPeriod(double period) {
   RadarParams params;

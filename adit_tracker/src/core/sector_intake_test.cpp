@@ -5,17 +5,10 @@
 #include <cmath>
 
 #include "core/adit_test_helpers.h"
+#include "core/plot_test_helpers.h"
 
 namespace adit_tracker {
 namespace {
-
-tws::Plot plotAt(double time, double range) {
-  tws::Plot plot;
-  plot.time = time;
-  plot.range = range;
-  plot.azimuth = 0.05;
-  return plot;
-}
 
 class SectorIntakeTest : public testing::Test {
  protected:
@@ -37,8 +30,8 @@ class SectorIntakeTest : public testing::Test {
 
 // If this fails, one bad plot of a radar crashes the tracker or becomes a track.
 TEST_F(SectorIntakeTest, LeavesOutWhatCannotBeUsedAndCountsIt) {
-  intake_.add(0, sectorOf(10, {plotAt(1.05, std::nan("")), plotAt(1.05, -1.0), plotAt(0.5, 30e3), plotAt(1.05, 30e3),
-                               plotAt(1.05, 30e3)}));
+  intake_.add(0, sectorOf(10, {plotAt(1.05, std::nan(""), 0.05), plotAt(1.05, -1.0, 0.05), plotAt(0.5, 30e3, 0.05),
+                               plotAt(1.05, 30e3, 0.05), plotAt(1.05, 30e3, 0.05)}));
   EXPECT_EQ(counts_.rejected_plots, 2U);
   EXPECT_EQ(counts_.late_plots, 1U);
   EXPECT_EQ(counts_.duplicate_plots, 1U);
@@ -46,8 +39,8 @@ TEST_F(SectorIntakeTest, LeavesOutWhatCannotBeUsedAndCountsIt) {
 }
 
 TEST_F(SectorIntakeTest, APlotThatCameInTheSectorBeforeIsACopy) {
-  intake_.add(0, sectorOf(10, {plotAt(1.05, 30e3)}));
-  intake_.add(0, sectorOf(11, {plotAt(1.05, 30e3), plotAt(1.15, 40e3)}));
+  intake_.add(0, sectorOf(10, {plotAt(1.05, 30e3, 0.05)}));
+  intake_.add(0, sectorOf(11, {plotAt(1.05, 30e3, 0.05), plotAt(1.15, 40e3, 0.05)}));
   EXPECT_EQ(counts_.duplicate_plots, 1U);
   EXPECT_EQ(counts_.plots, 2U);
 }

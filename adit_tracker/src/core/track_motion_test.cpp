@@ -5,16 +5,10 @@
 #include <tws_core/angles.h>
 #include <tws_core/random_test_helpers.h>
 
+#include "core/plot_test_helpers.h"
+
 namespace adit_tracker {
 namespace {
-
-tws::Plot plotAt(double time, double range, double azimuth) {
-  tws::Plot plot;
-  plot.time = time;
-  plot.range = range;
-  plot.azimuth = tws::wrapTwoPi(azimuth);
-  return plot;
-}
 
 RadarQuality quality() {
   RadarParams radar;

@@ -13,9 +13,9 @@ namespace adit_tracker {
 namespace {
 
 constexpr std::size_t kMostComplaints = 10;
-constexpr double kLongestPause = 600.0;       // within a stretch of plots [s]
-constexpr std::size_t kFewestPlots = 3;       // of a stretch: fewer make no track
-constexpr double kFarthest = 30.0 * 86400.0;  // from the longest stretch [s]
+constexpr double kLongestPause = 600.0;           // within a stretch of plots [s]
+constexpr std::size_t kFewestPlots = 3;           // of a stretch: fewer make no track
+constexpr double kFarthestAway = 30.0 * 86400.0;  // from the longest stretch [s]
 
 /// Where the columns are; those that need not be there are columns() of the table when they are not.
 struct Columns {
@@ -96,7 +96,7 @@ class Reader {
     for (auto stretch = stretches.begin(); stretch != stretches.end(); ++stretch) {
       const double gap = stretch < longest ? time(longest->first) - time(stretch->last - 1)
                                            : time(stretch->first) - time(longest->last - 1);
-      const bool mistaken = stretch != longest && (stretch->size() < kFewestPlots || gap > kFarthest);
+      const bool mistaken = stretch != longest && (stretch->size() < kFewestPlots || gap > kFarthestAway);
       for (std::size_t i = stretch->first; i < stretch->last; ++i)
         mistaken ? refuseTime(lines_[i], gap) : take(lines_[i]);
     }

@@ -5,15 +5,10 @@
 #include <tws_core/random_test_helpers.h>
 #include <tws_core/sectors.h>
 
+#include "core/plot_test_helpers.h"
+
 namespace adit_tracker {
 namespace {
-
-tws::Plot plotAt(double time) {
-  tws::Plot plot;
-  plot.time = time;
-  plot.range = 1000.0;
-  return plot;
-}
 
 std::vector<tws::RadarSector> allOf(SectorFeed& feed) {
   std::vector<tws::RadarSector> sectors;
@@ -23,7 +18,7 @@ std::vector<tws::RadarSector> allOf(SectorFeed& feed) {
 
 // A turn of 6.4 s from north at t = 0: sector i covers [0.1 i, 0.1 (i + 1)).
 TEST(SectorFeed, CutsPlotsIntoTheSectorsThatTheBeamCrossed) {
-  SectorFeed feed({plotAt(0.25), plotAt(0.29), plotAt(0.51)}, tws::Rotation::uniform(6.4, 0.0));
+  SectorFeed feed({plotAt(0.25, 1e3), plotAt(0.29, 1e3), plotAt(0.51, 1e3)}, tws::Rotation::uniform(6.4, 0.0));
   EXPECT_NEAR(*feed.nextTime(), 0.3, 1e-9);
   const auto sectors = allOf(feed);
   ASSERT_EQ(sectors.size(), 4U);  // 2, 3, 4, 5: empty ones too.
@@ -37,7 +32,7 @@ TEST(SectorFeed, CutsPlotsIntoTheSectorsThatTheBeamCrossed) {
 }
 
 TEST(SectorFeed, CountsOnAcrossNorth) {
-  SectorFeed feed({plotAt(6.35), plotAt(6.45)}, tws::Rotation::uniform(6.4, 0.0));
+  SectorFeed feed({plotAt(6.35, 1e3), plotAt(6.45, 1e3)}, tws::Rotation::uniform(6.4, 0.0));
   const auto sectors = allOf(feed);
   ASSERT_EQ(sectors.size(), 2U);
   EXPECT_EQ(sectors[0].running, 63);
@@ -48,7 +43,7 @@ TEST(SectorFeed, CountsOnAcrossNorth) {
 // If this fails, files whose time is that of the day (or negative) give no or wrong sectors.
 TEST(SectorFeed, StartsItsRunningNumbersInTheFirstTurnAtAnyTime) {
   for (const double start : {1.7e9, 86399.0, 0.0, -5000.0}) {
-    SectorFeed feed({plotAt(start + 0.05), plotAt(start + 20.0)}, tws::Rotation::uniform(6.0, 1.0));
+    SectorFeed feed({plotAt(start + 0.05, 1e3), plotAt(start + 20.0, 1e3)}, tws::Rotation::uniform(6.0, 1.0));
     const auto sectors = allOf(feed);
     EXPECT_GE(sectors.front().running, 0);
     EXPECT_LT(sectors.front().running, tws::kSectors);
@@ -65,7 +60,7 @@ TEST(SectorFeed, LosesNoPlotAndRepeatsNone) {
     double time = tws::uniform(generator, -100.0, 100.0);
     for (int i = tws::uniformInt(generator, 1, 200); i > 0; --i) {
       time += 0.008 * tws::uniformInt(generator, 0, 100);  // Quantised: some fall on borders, some together.
-      plots.push_back(plotAt(time));
+      plots.push_back(plotAt(time, 1e3));
     }
     SectorFeed feed(plots, tws::Rotation::uniform(period, tws::uniform(generator, 0.0, 6.0)));
     std::size_t next = 0;

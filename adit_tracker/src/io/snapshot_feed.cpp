@@ -47,7 +47,7 @@ double distanceTo(const Azimuths& azimuths, double azimuth) {
 }
 
 /// How far the plots of an instant are from the nearest ones in azimuth so many instants later: their median [rad].
-double shift(const std::vector<Azimuths>& instants, std::size_t lag) {
+double shiftBetween(const std::vector<Azimuths>& instants, std::size_t lag) {
   std::vector<double> distances;
   for (std::size_t i = 0; i + lag < instants.size(); ++i)
     for (const double azimuth : instants[i]) distances.push_back(distanceTo(instants[i + lag], azimuth));
@@ -69,7 +69,7 @@ std::optional<double> snapshotPeriod(const std::vector<tws::Plot>& plots) {
   const double period = medianStep(instants.times);
   if (period < kShortest) return std::nullopt;
   for (std::size_t lag = 1; lag <= std::min(kLags, count - 1); ++lag)
-    if (shift(instants.azimuths, lag) > kSameDirection) return std::nullopt;
+    if (shiftBetween(instants.azimuths, lag) > kSameDirection) return std::nullopt;
   if (moveWithTheBeam(plots, period)) return std::nullopt;
   return period;
 }

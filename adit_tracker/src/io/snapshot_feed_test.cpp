@@ -8,22 +8,17 @@
 #include <tws_core/sectors.h>
 #include <tws_core/units.h>
 
+#include "core/plot_test_helpers.h"
+
 namespace adit_tracker {
 namespace {
-
-tws::Plot plotAt(double time, double azimuth_deg) {
-  tws::Plot plot;
-  plot.time = time;
-  plot.azimuth = tws::wrapTwoPi(tws::radians(azimuth_deg));
-  plot.range = 30e3;
-  return plot;
-}
 
 /// Targets all round that hardly move, each 6 s.
 std::vector<tws::Plot> snapshots(int scans) {
   std::vector<tws::Plot> plots;
   for (int scan = 0; scan < scans; ++scan)
-    for (int target = 0; target < 8; ++target) plots.push_back(plotAt(6.0 * (scan + 1), 45.0 * target + 0.5 * scan));
+    for (int target = 0; target < 8; ++target)
+      plots.push_back(plotAt(6.0 * (scan + 1), 30e3, tws::radians(45.0 * target + 0.5 * scan)));
   return plots;
 }
 
@@ -31,7 +26,7 @@ std::vector<tws::Plot> snapshots(int scans) {
 std::vector<tws::Plot> turning(double turn, double step) {
   std::vector<tws::Plot> plots;
   for (double time = 0.0; time < 20 * turn; time += turn / 40.0)
-    plots.push_back(plotAt(step * std::floor(time / step), 360.0 * time / turn));
+    plots.push_back(plotAt(step * std::floor(time / step), 30e3, tws::kTwoPi * time / turn));
   return plots;
 }
 
@@ -70,7 +65,7 @@ TEST(SnapshotFeed, GivesEachInstantAllSectorsAndEachPlotItsOwn) {
 
 // A scan without plots must not look like a slower radar.
 TEST(SnapshotFeed, CountsOnOverScansThatAreMissing) {
-  SnapshotFeed feed({plotAt(6.0, 10.0), plotAt(24.0, 10.0)}, 6.0);
+  SnapshotFeed feed({plotAt(6.0, 30e3), plotAt(24.0, 30e3)}, 6.0);
   for (int sector = 0; sector < tws::kSectors; ++sector) feed.take();
   EXPECT_EQ(feed.take().running, 3 * tws::kSectors);
 }
