@@ -151,8 +151,9 @@ class Run {
     const AditCounts& n = adit_.counts();
     std::cerr << "plots used          " << n.plots << "\nlines refused       " << table.refused
               << "\ntracks started      " << n.tracks_started << "\ntracks become firm  " << n.tracks_firm
-              << "\ntracks dropped      " << n.tracks_dropped << "\ntracks refused      " << n.refused_tracks
-              << " (capacity " << adit_.params().capacity << ")\nplots into clutter  " << absorbed() << '\n';
+              << "\ntracks stitched     " << n.stitched << "\ntracks dropped      " << n.tracks_dropped
+              << "\ntracks refused      " << n.refused_tracks << " (capacity " << adit_.params().capacity
+              << ")\nplots into clutter  " << absorbed() << '\n';
     for (std::size_t i = 0; i < input_.feeds.size(); ++i) {
       std::fprintf(stderr,
                    "radar %-13s period %.4f s, range sigma %.0f m, azimuth sigma %.3f deg, %.1f false plots a scan\n",

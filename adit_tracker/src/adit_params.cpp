@@ -150,6 +150,8 @@ AditParams AditParams::named(const std::string& name) {
   p.clutter.yields_to_tracks = false;
   p.conversion.scans = 8;
   p.operators.page = 32;
+  p.stitching.longest_gap = 0.0;
+  p.conversion.speed_sigmas = 0.0;
   p.conversion.over_ground = false;
   p.conversion.from_start = false;
   p.conversion.speed_up = tws::speedFromKnots(45.0);

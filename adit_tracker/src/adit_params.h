@@ -62,7 +62,10 @@ struct ConversionParams {
   double speed_up =
       56.0 * tws::kMetresPerSecondPerKnot;  // VRMIN upwards: a faster clutter point becomes a track [m/s].
   double speed_down =
-      45.0 * tws::kMetresPerSecondPerKnot;             // VRMIN downwards: a slower track becomes a clutter point [m/s].
+      45.0 * tws::kMetresPerSecondPerKnot;  // VRMIN downwards: a slower track becomes a clutter point [m/s].
+  // A track in a quiet place must be slower by so many standard deviations of its velocity; 0: its places tell alone.
+  double speed_sigmas = 1.0;
+  double quiet_density = 3e-9;                         // of false plots a scan, below which a place is quiet [1/m²]
   double azimuth_rate = 100.0 * tws::kAzimuthRateLsb;  // VAMIN [rad/s]
   bool from_start = true;                              // A new track is compared with its first place already.
   bool over_ground = true;  // Judge the speed over ground, in place of range and azimuth rates apart.
@@ -70,6 +73,12 @@ struct ConversionParams {
 
 /// Does something at `range` with these rates [m/s, rad/s] move faster than `speed`, in the sense of the parameters?
 bool isFaster(double range_rate, double azimuth_rate, double range, double speed, const ConversionParams& params);
+
+/// When a new track takes over the number of one that was lost.
+struct StitchingParams {
+  double longest_gap = 2.2;    // from the lost one's last detection to the new one's first [scans]; 0: never
+  double speed_change = 50.0;  // greatest difference of their speeds, besides what errors explain [m/s]
+};
 
 /// Life of tracks by the report's timers.
 struct TimerParams {
@@ -136,6 +145,7 @@ struct AditParams {
   ExistenceParams existence;
   ClutterParams clutter;
   ConversionParams conversion;
+  StitchingParams stitching;
   bool bifurcation = true;  // Two tracks may share merged plots, and one track may split into two.
   PartingParams parting;
   OperatorParams operators;

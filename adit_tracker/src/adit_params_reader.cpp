@@ -142,10 +142,18 @@ void readClutter(ParameterReader& reader, AditParams& p) {
   v.integer("scans", p.conversion.scans, 2, 1000);
   scaledNumber(v, "speed_up_kn", p.conversion.speed_up, tws::kMetresPerSecondPerKnot, 0.0, 10000.0);
   scaledNumber(v, "speed_down_kn", p.conversion.speed_down, tws::kMetresPerSecondPerKnot, 0.0, 10000.0);
+  v.number("speed_sigmas", p.conversion.speed_sigmas, 0.0, 100.0);
+  scaledNumber(v, "quiet_density_per_km2", p.conversion.quiet_density, 1e-6, 0.0, 1e6);
   scaledNumber(v, "azimuth_rate_deg_per_s", p.conversion.azimuth_rate, tws::kRadiansPerDegree, 0.0, 100.0);
   v.flag("over_ground", p.conversion.over_ground);
   v.flag("from_start", p.conversion.from_start);
   v.done();
+}
+
+void readStitching(ParameterReader reader, StitchingParams& p) {
+  reader.number("longest_gap_scans", p.longest_gap, 0.0, 1000.0);
+  reader.number("speed_change_mps", p.speed_change, 0.0, 10000.0);
+  reader.done();
 }
 
 void readParting(ParameterReader reader, PartingParams& p) {
@@ -202,6 +210,7 @@ AditParams readAditParams(ParameterReader& reader, const std::string& default_se
   choice(reader, "association", p.association, {{"passes", Association::kPasses}, {"chances", Association::kChances}});
   readLife(reader, p);
   readClutter(reader, p);
+  readStitching(reader.map("stitching"), p.stitching);
   reader.flag("bifurcation", p.bifurcation);
   readParting(reader.map("parting"), p.parting);
   readOperators(reader.map("operator"), p.operators);

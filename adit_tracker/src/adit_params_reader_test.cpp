@@ -59,8 +59,9 @@ std::vector<double> valuesOf(const AditParams& p) {
                      c.gate.azimuth, c.gate.range_weight, c.gate.azimuth_weight, c.gate_sigmas,
                      static_cast<double>(c.hits), c.smoothing, static_cast<double>(c.yields_to_tracks)});
   v.insert(v.end(), {static_cast<double>(p.conversion.scans), p.conversion.speed_up, p.conversion.speed_down,
-                     p.conversion.azimuth_rate, static_cast<double>(p.conversion.over_ground),
-                     static_cast<double>(p.conversion.from_start), static_cast<double>(p.operators.page),
+                     p.conversion.speed_sigmas, p.conversion.quiet_density, p.conversion.azimuth_rate,
+                     static_cast<double>(p.conversion.over_ground), static_cast<double>(p.conversion.from_start),
+                     p.stitching.longest_gap, p.stitching.speed_change, static_cast<double>(p.operators.page),
                      p.operators.point_sigma});
   const PartingParams& b = p.parting;
   v.insert(v.end(),

@@ -1,6 +1,7 @@
 #include "core/adit.h"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <string>
 
@@ -23,11 +24,20 @@ std::size_t latestOf(const Track& track, std::size_t radars) {
   return static_cast<std::size_t>(std::max_element(track.updated.begin(), end) - track.updated.begin());
 }
 
+/// What has hardly been measured yet may look slow and be fast. Where false plots come from, that does not count.
+bool isSurelySlow(const Extrapolation& now, double false_density, const ConversionParams& params) {
+  if (params.speed_sigmas == 0.0 || !now.has_covariance || false_density > params.quiet_density) return true;
+  const double sigma = std::sqrt(std::max(now.planar.velocity.xx, now.planar.velocity.yy));
+  return std::hypot(now.planar.vx, now.planar.vy) + params.speed_sigmas * sigma < params.speed_down;
+}
+
 /// Compares the place with the one stored eight scans ago, and stores the present one.
-bool hasBecomeSlow(Track& track, double judge_after, const ConversionParams& params) {
+bool hasBecomeSlow(Track& track, const TrackMotion& motion, const FalsePlotMap& map, double judge_after,
+                   const ConversionParams& params) {
   const Kinematics& k = track.smoothed;
   const auto rates = track.reference.compare(k.time, k.range, k.azimuth, judge_after);
-  return rates && !isFaster(rates->range, rates->azimuth, k.range, params.speed_down, params);
+  return rates && !isFaster(rates->range, rates->azimuth, k.range, params.speed_down, params) &&
+         isSurelySlow(motion.at(track, k.time), map.density(k.range, k.azimuth), params);
 }
 
 }  // namespace
@@ -43,6 +53,7 @@ Adit::Adit(const AditParams& params, Sink sink)
       clutter_(params, radars_, counts_),
       correlator_(params),
       bifurcation_(params),
+      stitching_(params.stitching),
       iff_(params.iff),
       manual_(tracks_, meeting_, clutter_, radars_) {}
 
@@ -94,6 +105,7 @@ void Adit::process(const tws::SectorRef& sector) {
   begin(sector);
   mapClutter({sector.radar, sector.running + kClutterAhead});
   correlate(sector);
+  stitch(radars_.antenna(sector.radar).period());
   convertSlowTracks(sector);
   moveOn(sector);
   initiate(sector);
@@ -232,9 +244,12 @@ void Adit::convertSlowTracks(const tws::SectorRef& sector) {
   const auto judge_after = leastAgeToConvert(params_.conversion, radars_.antenna(sector.radar), sector.running,
                                              params_.conversion.scans / 2);
   if (!judge_after) return;
+  const FalsePlotMap& map = radars_.quality(sector.radar).falsePlotMap();
+  const auto is_slow = [&](TrackFile::Slot slot) {
+    return hasBecomeSlow(tracks_.at(slot), tracks_.motion(), map, *judge_after, params_.conversion);
+  };
   for (const auto slot : primary_) {
-    if (!tracks_.isDropped(slot) && hasBecomeSlow(tracks_.at(slot), *judge_after, params_.conversion))
-      convert(sector, slot);
+    if (!tracks_.isDropped(slot) && is_slow(slot)) convert(sector, slot);
   }
 }
 
@@ -247,6 +262,14 @@ void Adit::convert(const tws::SectorRef& sector, TrackFile::Slot slot) {
   if (!clutter_.adopt(seen.range, seen.azimuth, time, radar)) return;
   ++counts_.to_clutter;
   tracks_.drop(slot, time);
+}
+
+/// What a radar of that period [s] has just made firm may be a target that was lost.
+void Adit::stitch(double period) {
+  for (const auto slot : tracks_.newlyFirm()) {
+    if (const auto lost = tracks_.isDropped(slot) ? std::nullopt : stitching_.lostBefore(tracks_, slot, period))
+      tracks_.succeed(slot, *lost);
+  }
 }
 
 void Adit::moveOn(const tws::SectorRef& sector) {

@@ -15,6 +15,7 @@
 #include "core/next_meeting.h"
 #include "core/radars.h"
 #include "core/sector_intake.h"
+#include "core/stitching.h"
 #include "core/track_book.h"
 #include "iff/iff_watch.h"
 
@@ -83,6 +84,7 @@ class Adit {
   void share(const tws::SectorRef& sector, TrackFile::Slot slot, const Detection& detection);
   void miss(const tws::SectorRef& sector, TrackFile::Slot slot);
   bool clutterYieldsTo(const Track& track) const;
+  void stitch(double period);
   void convertSlowTracks(const tws::SectorRef& sector);
   void convert(const tws::SectorRef& sector, TrackFile::Slot slot);
   void moveOn(const tws::SectorRef& sector);
@@ -105,6 +107,7 @@ class Adit {
   Correlator correlator_;
   Bifurcation bifurcation_;
   DuplicateTracks duplicates_;
+  Stitching stitching_;
   IffWatch iff_;
   ManualControl manual_;
 

@@ -12,6 +12,7 @@ struct AditCounts {
   std::uint64_t tracks_started = 0, tracks_firm = 0, tracks_dropped = 0;
   std::uint64_t refused_tracks = 0, refused_clutter = 0;  // for want of numbers
   std::uint64_t to_clutter = 0, to_track = 0;             // conversions
+  std::uint64_t stitched = 0;                             // new tracks with the number of a lost one
 };
 
 }  // namespace adit_tracker

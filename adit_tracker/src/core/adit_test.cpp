@@ -119,6 +119,32 @@ TEST_P(BothSets, ThingsThatStandStillBecomeClutterAndNoFirmTracks) {
   EXPECT_LE(late.size(), 1U);  // Of 20.
 }
 
+/// How many of 24 helicopters, 35 m/s and far away, became clutter points.
+std::uint64_t helicoptersTakenForClutter(const AditParams& params) {
+  auto generator = tws::seededGenerator();
+  const TestRadar radar(6.0);
+  RadarSectors radars = {radar.sectors(0.0, 600.0)};
+  for (int i = 0; i < 24; ++i) {
+    const double a = tws::kTwoPi * i / 24.0;
+    radar.see({120e3 * std::sin(a), 120e3 * std::cos(a), 35.0 * std::cos(2.0 * a), 35.0 * std::sin(2.0 * a)},
+              radars[0]);
+  }
+  disturb(radars[0], 75.0, 0.0035, 0.9, 0.0, generator);
+  Adit adit(params, nullptr);
+  feedInOrder(adit, radars);
+  adit.finish();
+  return adit.counts().to_clutter;
+}
+
+// If this fails, slow aircraft far away are lost to the clutter map again and again: by their places they seem to
+// stand.
+TEST(Adit, WhatIsSlowAndFarInAQuietPlaceBecomesNoClutterPoint) {
+  AditParams params = paramsFor("default", {6.0});
+  EXPECT_LE(helicoptersTakenForClutter(params), 4U);
+  params.conversion.speed_sigmas = 0.0;
+  EXPECT_GE(helicoptersTakenForClutter(params), 8U) << "then this test shows nothing";
+}
+
 // The letter has nothing against clutter that is detected only now and then; see README.md.
 TEST_P(BothSets, ATrackThatStopsBecomesAClutterPoint) {
   RadarSectors radars = twoRadars(500.0, {{40e3, 30e3, 100.0, 0.0, 0.0, 150.0}});

@@ -25,6 +25,7 @@ void TrackBook::begin(const tws::SectorRef& sector, double enter_time) {
   report_.skipped = false;
   report_.updates = by_hand_;
   dropped_.clear();
+  newly_firm_.clear();
   for (const TrackUpdate& update : by_hand_) {
     if (update.event == TrackEvent::kDropped) dropped_.push_back(update.slot);
   }
@@ -118,7 +119,7 @@ void TrackBook::update(Slot slot, const tws::SectorRef& sector, RadarQuality& qu
   track.detected_by = static_cast<std::uint16_t>(track.detected_by | 1U << sector.radar);
   const double own = track.firm ? 0.0 : track.counted_false[sector.radar];
   const double false_density = quality.falsePlotMap().densityAround(own, plot.range, plot.azimuth);
-  if (judge_.updated(track, sector.radar, log_likelihood, false_density, !disputed)) ++counts_.tracks_firm;
+  if (judge_.updated(track, sector.radar, log_likelihood, false_density, !disputed)) becomeFirm(slot);
   report_.updates.push_back({slot, TrackEvent::kUpdated, track.smoothed.time});
 }
 
@@ -142,7 +143,7 @@ bool TrackBook::updateWeighed(const Correlation& c, const std::vector<PlotChance
     track.apart = time;
     heights_.update(track.uid, c.detection->plot);
   }
-  if (judge_.weighed(track, sector.radar, time, c.existence, c.missed, !disputed)) ++counts_.tracks_firm;
+  if (judge_.weighed(track, sector.radar, time, c.existence, c.missed, !disputed)) becomeFirm(c.slot);
   if (judge_.isOver(track)) {
     drop(c.slot, time);
     return false;
@@ -193,6 +194,22 @@ void TrackBook::drop(Slot slot, double time) {
   report_.updates.push_back({slot, TrackEvent::kDropped, time});
   dropped_.push_back(slot);
   ++counts_.tracks_dropped;
+}
+
+void TrackBook::becomeFirm(Slot slot) {
+  ++counts_.tracks_firm;
+  newly_firm_.push_back(slot);
+}
+
+void TrackBook::succeed(Slot found, Slot lost) {
+  Track& heir = tracks_.at(found);
+  Track& track = tracks_.at(lost);
+  std::swap(heir.number, track.number);
+  std::swap(heir.uid, track.uid);
+  heir.handed_off = track.handed_off;
+  heir.designated = track.designated;
+  drop(lost, heir.smoothed.time);
+  ++counts_.stitched;
 }
 
 void TrackBook::dropByHand(Slot slot) {

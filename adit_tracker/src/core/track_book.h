@@ -70,6 +70,10 @@ class TrackBook {
   /// Illuminated and not detected: the track coasts by its stored velocities, or is dropped: false.
   bool miss(Slot slot, const tws::SectorRef& sector);
   void drop(Slot slot, double time);
+  /// Tracks that have become firm in the sector at hand.
+  const std::vector<Slot>& newlyFirm() const { return newly_firm_; }
+  /// `found` follows what `lost` did: it takes over number and uid, and that ends.
+  void succeed(Slot found, Slot lost);
 
   /// By hand, between two sectors: its update comes with the next one.
   void dropByHand(Slot slot);
@@ -98,6 +102,7 @@ class TrackBook {
   const TrackMotion& motion() const { return motion_; }
 
  private:
+  void becomeFirm(Slot slot);
   bool showsErrors(const Track& track, const tws::Plot& plot) const;
   bool outOfReach(const Track& track, const RadarQuality& quality) const;
   void doubtOtherSites(Track& track, std::size_t radar) const;
@@ -110,7 +115,7 @@ class TrackBook {
   TrackJudge judge_;
   HeightFile heights_;
   SectorReport report_;
-  std::vector<Slot> dropped_;
+  std::vector<Slot> dropped_, newly_firm_;
   std::vector<TrackUpdate> by_hand_;
 };
 
