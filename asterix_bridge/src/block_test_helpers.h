@@ -4,9 +4,13 @@
 #include <cstdint>
 #include <vector>
 
+#include <tws_core/units.h>
+
 #include "block.h"
 
 namespace asterix_bridge {
+
+constexpr double kDegree = tws::kRadiansPerDegree;
 
 using Octets = std::vector<std::uint8_t>;
 

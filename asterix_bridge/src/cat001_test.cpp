@@ -9,7 +9,6 @@ namespace asterix_bridge {
 namespace {
 
 constexpr double kNauticalMile = 1852.0;
-constexpr double kDegree = 3.14159265358979323846 / 180.0;
 
 // If this fails, every plot of a CAT001 radar stands at the wrong place or time.
 TEST(Cat001, DecodesAPlotWithAllItemsOfItsProfile) {

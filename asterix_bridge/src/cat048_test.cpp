@@ -9,7 +9,6 @@ namespace asterix_bridge {
 namespace {
 
 constexpr double kNauticalMile = 1852.0;
-constexpr double kDegree = 3.14159265358979323846 / 180.0;
 
 // All 28 items, so that each is at least passed over rightly: what follows a wrong length is nonsense.
 const Octets kFullRecord{

@@ -8,8 +8,6 @@
 namespace asterix_bridge {
 namespace {
 
-constexpr double kDegree = 3.14159265358979323846 / 180.0;
-
 const Octets kFull002{0xFF, 0xF4,                    // FSPEC: 010 000 020 030 041 050 060 / 070 100 090 080 - SP
                       0x14, 0x82,                    // 010
                       0x02,                          // 000: sector crossing

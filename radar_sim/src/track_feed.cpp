@@ -32,7 +32,7 @@ std::vector<FedTrack> TrackFeed::tracksOf(const tws::RadarSector& sector) {
     Eigen::Vector4d state = stateOf(truth);
     // Once a scan; also what has moved against the beam, out of a sector that was still to come.
     const int behind = tws::sectorDifference(sector.sector, tws::sectorOf(tws::azimuthOf(state.head<2>())));
-    if (behind < 0 || behind > 2 || sector.running - life.updated < tws::kSectors / 2) continue;
+    if (behind < 0 || behind > 2 || sector.running - life.updated < tws::kHalfTurn) continue;
     addErrors(targets_[target], sector.running / tws::kSectors, state);
     if (!life.alive) life.update = FedTrack{target, ++last_number_, false, sector.enter_time, sector.enter_time};
     life.update.time = sector.enter_time;

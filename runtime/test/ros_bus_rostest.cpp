@@ -64,6 +64,8 @@ ros::Subscriber listen(ros::NodeHandle& node, const std::string& topic, const st
   return node.subscribe<M>(topic, 0, [handler](const boost::shared_ptr<const M>& message) { handler(*message); });
 }
 
+bool comesTrue(const std::function<bool()>& condition) { return waitFor(condition, 20.0); }
+
 /// Listens to a whole live run, the start of which waits for this listener.
 class RosBusTest : public ::testing::Test {
  protected:
@@ -80,11 +82,11 @@ class RosBusTest : public ::testing::Test {
       last_clock = message.clock;
       ++clock_count;
     });
-    EXPECT_TRUE(waitFor([&] { return out.getNumPublishers() > 0 && ticks.getNumPublishers() > 0; }));
+    EXPECT_TRUE(comesTrue([&] { return out.getNumPublishers() > 0 && ticks.getNumPublishers() > 0; }));
     const ros::WallTime start = ros::WallTime::now();
     const ros::Subscriber numbers = listen<tws_msgs::Detections>(node, "/numbers", [](const auto&) {});
-    EXPECT_TRUE(waitFor([&] { return received.out.size() >= NumbersSource::kCount; }));
-    waitFor([&] { return received.ticks.size() >= 4; });
+    EXPECT_TRUE(comesTrue([&] { return received.out.size() >= NumbersSource::kCount; }));
+    comesTrue([&] { return received.ticks.size() >= 4; });
     wall_seconds = (ros::WallTime::now() - start).toSec();
     live = received;
   }
@@ -146,7 +148,7 @@ TEST_F(RosBusTest, CountersShowInTheDiagnostics) {
           for (const auto& value : status.values) values[value.key] = value.value;
         }
       });
-  EXPECT_TRUE(waitFor([&] { return !values.empty(); }));
+  EXPECT_TRUE(comesTrue([&] { return !values.empty(); }));
   EXPECT_EQ(hardware_id, "relay");
   EXPECT_EQ(values["numbers"], "40");
   EXPECT_EQ(values["sevens"], "4");
@@ -166,7 +168,7 @@ TEST_F(RosBusTest, ANodeIsCalledByItsOwnThreadOnly) {
   numbers.publish(number);
   ros::spinOnce();
   EXPECT_TRUE(answers.empty()) << "called from the global queue";
-  EXPECT_TRUE(waitFor([&] {
+  EXPECT_TRUE(comesTrue([&] {
     bus.spinFor(0.0);
     return !answers.empty();
   }));
@@ -182,7 +184,7 @@ TEST_F(RosBusTest, BetweenNodesOfOneProcessMessagesAreNotCopied) {
   receiver.subscribe<tws_msgs::Detections>("/shared", [&](const auto& message) { received = &message; });
   const auto message = boost::make_shared<const tws_msgs::Detections>();
   publisher.publish(message);
-  EXPECT_TRUE(waitFor([&] {
+  EXPECT_TRUE(comesTrue([&] {
     receiver.spinFor(0.0);
     return received != nullptr;
   }));
@@ -350,9 +352,9 @@ TEST_F(NodeletTest, NodeletsGiveTheSameBytesAsOneProcessWithoutAMaster) {
   ros::param::set("/nodelets/relay/gain", 3);
   ros::param::set("/nodelets/source/live/rate", 20);
   ASSERT_TRUE(load("/nodelets/relay", "relay"));
-  EXPECT_TRUE(waitFor([&] { return out.getNumPublishers() > 0; }));
+  EXPECT_TRUE(comesTrue([&] { return out.getNumPublishers() > 0; }));
   ASSERT_TRUE(load("/nodelets/source", "numbers"));
-  EXPECT_TRUE(waitFor([&] { return received.size() >= NumbersSource::kCount; }));
+  EXPECT_TRUE(comesTrue([&] { return received.size() >= NumbersSource::kCount; }));
   EXPECT_EQ(received, runInOneProcess().out);
 }
 
@@ -373,7 +375,7 @@ TEST_F(NodeletTest, ASourceIsUnloadedInTheMiddleOfItsRun) {
       listen<tws_msgs::Detections>(node, "/nodelets/numbers", [&](const auto&) { ++received; });
   ros::param::set("/nodelets/slow/live/rate", 0.1);
   ASSERT_TRUE(load("/nodelets/slow", "numbers"));
-  EXPECT_TRUE(waitFor([&] { return received > 0; }));
+  EXPECT_TRUE(comesTrue([&] { return received > 0; }));
   const ros::WallTime start = ros::WallTime::now();
   EXPECT_TRUE(loader.unload("/nodelets/slow"));
   EXPECT_LT((ros::WallTime::now() - start).toSec(), 1.0);

@@ -18,8 +18,8 @@ void sort(TimedAzimuths& plots) {
   if (!std::is_sorted(plots.begin(), plots.end(), earlier)) std::stable_sort(plots.begin(), plots.end(), earlier);
 }
 
-// How fast the beam goes from plot to plot [rad/s], < 0: counter-clockwise. TimedAzimuths close together show it badly,
-// those far apart may be of different scans.
+// How fast the beam goes from plot to plot [rad/s], < 0: counter-clockwise. Plots close together show it badly, those
+// far apart may be of different scans.
 std::vector<double> speedsOf(const TimedAzimuths& plots) {
   constexpr double kLeast = radians(2.0), kMost = radians(60.0);
   std::vector<double> speeds;

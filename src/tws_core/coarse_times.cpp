@@ -22,7 +22,7 @@ std::vector<double> distinctTimes(const TimedAzimuths& plots) {
   return times;
 }
 
-// How far the beam stands from the plots' azimuths at their times, in the middle of all [rad]. TimedAzimuths all round
+// How far the beam stands from the plots' azimuths at their times, in the middle of all [rad]. Plots all round
 // show none: then the times count as cut off.
 double middleOf(const TimedAzimuths& plots, const Rotation& rotation, double step) {
   constexpr double kClearly = 0.4;

@@ -26,7 +26,7 @@ Turning even(double period, double phase) {
   return [=](double time) { return phase + kTwoPi * time / period; };
 }
 
-// TimedAzimuths at random times from `start` to `end`, `rate` a second, with azimuth noise; a share `false_share` of
+// Plots at random times from `start` to `end`, `rate` a second, with azimuth noise; a share `false_share` of
 // them at any azimuth.
 TimedAzimuths plotsOf(std::mt19937_64& generator, const Turning& beam, double start, double end, double rate,
                       double false_share = 0.0, double noise = radians(0.3)) {
@@ -300,7 +300,7 @@ TEST(Rotation, RefusesNumbersThatAreNone) {
   EXPECT_THROW(Rotation::uniform(6.0, kNaN), std::invalid_argument);
 }
 
-// TimedAzimuths of each radar in a file with columns t_s,radar,scan,range_m,az_deg,… of the data folder; empty without
+// Plots of each radar in a file with columns t_s,radar,scan,range_m,az_deg,… of the data folder; empty without
 // it.
 std::map<int, TimedAzimuths> readPlots(const std::string& name) {
   const char* folder = std::getenv("TWS_SHARED");

@@ -7,7 +7,7 @@
 namespace track_correlator {
 
 std::int64_t scansBetween(std::int64_t earlier, std::int64_t later) {
-  return (later - earlier + tws::kSectors / 2) / tws::kSectors;
+  return (later - earlier + tws::kHalfTurn) / tws::kSectors;
 }
 
 const FusionRow* FusionTable::find(const Index& index, std::uint32_t uid) const {

@@ -105,7 +105,7 @@ std::vector<std::size_t> SecondaryTracker::tracksNear(std::int64_t running, doub
     const double dt = time - tracks_[i].time;
     const Eigen::Vector2d where = mean.head<2>() + dt * mean.tail<2>();
     const int behind = tws::sectorDifference(sector, tws::sectorOf(tws::azimuthOf(where)));
-    const bool waits = running - tracks_[i].done >= tws::kHalfTurn;
+    const bool waits = running - tracks_[i].done >= tws::kHalfTurn;  // A track is processed once a turn.
     // Behind by one or two: it moved against the beam, out of a sector that was still to come.
     if (waits && behind >= 0 && behind <= 2)
       due.push_back(i);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <tws_core/angles.h>
 #include <tws_core/sectors.h>
