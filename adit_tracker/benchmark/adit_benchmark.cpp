@@ -31,10 +31,10 @@ struct RadarEvent {
 
 /// Straight flights on a disk seen by two radars, the errors those of 100 m × 0.3° at 100 km. Further out the azimuth
 /// error shrinks so that it stays 520 m across: otherwise no tracker could tell targets 5 km apart from each other at
-/// 1000 km.
+/// 1000 km. `crowd`: false plots a scan within 1 km of one place besides.
 class World {
  public:
-  World(long targets, double radius) : radius_(radius), random_(1) {
+  World(long targets, double radius, long crowd = 0) : radius_(radius), crowd_(crowd), random_(1) {
     std::uniform_real_distribution<double> unit(0.0, 1.0), speed(100.0, 300.0);
     for (long i = 0; i < targets; ++i) {
       const double range = std::sqrt(unit(random_)) * radius, azimuth = unit(random_) * tws::kTwoPi;
@@ -90,6 +90,11 @@ class World {
       const double azimuth = unit(random_) * tws::kTwoPi;
       add(std::sqrt(unit(random_)) * radius_, azimuth, azimuth);
     }
+    for (long i = 0; i < crowd_; ++i) {
+      const double away = 1e3 * std::sqrt(unit(random_)), course = unit(random_) * tws::kTwoPi;
+      const double x = 21e3 + away * std::sin(course), y = 34e3 + away * std::cos(course);
+      add(std::hypot(x, y), std::atan2(x, y), std::atan2(x, y));
+    }
     for (tws::RadarSector& sector : sectors) {
       std::sort(sector.plots.begin(), sector.plots.end(),
                 [](const tws::Plot& a, const tws::Plot& b) { return a.time < b.time; });
@@ -98,6 +103,7 @@ class World {
   }
 
   double radius_;
+  long crowd_;
   std::mt19937_64 random_;
   std::vector<Target> targets_;
 };
@@ -115,8 +121,7 @@ AditParams paramsOfSet(const World& world, const std::string& set, long targets)
   return params;
 }
 
-void track(benchmark::State& state, const std::string& set, double radius) {
-  const World world(state.range(0), radius);
+void track(benchmark::State& state, const std::string& set, const World& world) {
   const AditParams params = paramsOfSet(world, set, state.range(0));
   std::uint64_t detections = 0;
   std::uint32_t tracks = 0;
@@ -142,14 +147,20 @@ void track(benchmark::State& state, const std::string& set, double radius) {
 }
 
 void constantDensity(benchmark::State& state, const std::string& set) {
-  track(state, set, std::sqrt(static_cast<double>(state.range(0)) / (tws::kPi * kDensity)));
+  track(state, set, {state.range(0), std::sqrt(static_cast<double>(state.range(0)) / (tws::kPi * kDensity))});
 }
 
-void fixedDisk(benchmark::State& state, const std::string& set) { track(state, set, 100e3); }
+void fixedDisk(benchmark::State& state, const std::string& set) { track(state, set, {state.range(0), 100e3}); }
+
+/// So many false plots a scan within 1 km.
+void crowdedPlace(benchmark::State& state, const std::string& set) {
+  track(state, set, {60, 100e3, static_cast<long>(state.range(0))});
+}
 
 BENCHMARK_CAPTURE(constantDensity, default, std::string("default"))->Arg(60)->Arg(1000)->Arg(10000)->Arg(100000);
 BENCHMARK_CAPTURE(fixedDisk, default, std::string("default"))->Arg(60)->Arg(1000)->Arg(10000);
 BENCHMARK_CAPTURE(constantDensity, nrl7952, std::string("nrl7952"))->Arg(60)->Arg(1000)->Arg(10000);
+BENCHMARK_CAPTURE(crowdedPlace, default, std::string("default"))->Arg(100)->Arg(1000)->Arg(4000);
 
 }  // namespace
 }  // namespace adit_tracker

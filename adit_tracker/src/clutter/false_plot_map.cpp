@@ -13,7 +13,6 @@ constexpr double kFirstGuess = 5.0;       // false plots a scan, before any have
 constexpr double kGuessScans = 0.5;       // … and how many scans that counts for
 constexpr double kLeastFalsePlots = 0.5;  // a scan
 constexpr double kPriorPlots = 2.0;       // weight of what a larger cell says
-constexpr double kMany = 200.0;           // a scan, if they came as densely everywhere: there, a few matter little
 
 }  // namespace
 
@@ -98,10 +97,10 @@ double FalsePlotMap::estimate(int sector, int bin, double left_out) const {
   return density;
 }
 
-double FalsePlotMap::densityAround(double plots, double range, double azimuth) const {
+double FalsePlotMap::densityAround(double plots, double density, double range, double azimuth) const {
+  if (plots == 0.0 || areMany(density)) return density;
   const int sector = tws::sectorOf(azimuth);
-  const double with = density(range, azimuth);
-  return plots == 0.0 || isNew(sector) || with * area() > kMany ? with : estimate(sector, binOf(range), plots);
+  return isNew(sector) ? density : estimate(sector, binOf(range), plots);
 }
 
 double FalsePlotMap::density(double range, double azimuth) const {

@@ -31,7 +31,13 @@ class FalsePlotMap {
   double density(double range, double azimuth) const;
   /// The same when so many of the plots that have lately been counted around there are a track's own: they speak for
   /// clutter in their cell, but not in the larger ones that hold it. As `density` where false plots are many.
-  double densityAround(double plots, double range, double azimuth) const;
+  double densityAround(double plots, double range, double azimuth) const {
+    return densityAround(plots, density(range, azimuth), range, azimuth);
+  }
+  /// For one who knows the density there already.
+  double densityAround(double plots, double density, double range, double azimuth) const;
+  /// Are false plots many where they come so densely [1/m²]? Then it matters little which of them are a track's own.
+  bool areMany(double density) const { return density * area() > kMany; }
   /// How much of a plot still counts when its sector has been closed once more: eight scans are its time constant.
   static constexpr double kKept = 0.8825;
   /// Expected false plots a scan.
@@ -43,6 +49,7 @@ class FalsePlotMap {
 
  private:
   static constexpr int kBins = 64, kLevels = 5;  // cells of 1, 2, 4, 8, 16 sectors and bins
+  static constexpr double kMany = 200.0;         // a scan, if they came as densely everywhere
   /// What a cell has shown lately.
   struct Cell {
     double plots = 0.0, exposure = 0.0;  // false ones, and its area [m²] times scans

@@ -18,9 +18,15 @@ tws::Symmetric2 widened(const tws::Symmetric2& covariance, double variance) {
   return {covariance.xx + variance, covariance.xy, covariance.yy + variance};
 }
 
-double density(const tws::Symmetric2& covariance, double along, double across) {
-  return std::exp(-0.5 * covariance.mahalanobis(along, across)) /
-         (2.0 * tws::kPi * std::sqrt(covariance.determinant()));
+double density(const tws::Symmetric2& covariance, double squared_distance) {
+  return std::exp(-0.5 * squared_distance) / (2.0 * tws::kPi * std::sqrt(covariance.determinant()));
+}
+
+/// Squared distance at which a tentative track leaves a detection alone where one false plot comes on a square metre;
+/// less twice the logarithm of their density, where they are many.
+double farthestOf(const Track& track) {
+  constexpr double kRounding = 1e-9;
+  return kRounding - 2.0 * std::log(2.0 * tws::kPi * kHardlyOwn) - std::log(track.predicted.innovation.determinant());
 }
 }  // namespace
 
@@ -105,31 +111,44 @@ bool Correlator::Frontier::meets(const Prediction& middle, const Reach& reach) c
   return false;
 }
 
-/// Fills in the likelihood. False: a tentative track leaves such a detection alone.
+/// What is noted with a detection in this run.
+void Correlator::beginNotes(Detection& detection, const FalsePlotMap& map) const {
+  detection.asked_in = run_;
+  detection.askers = 0;
+  detection.index = Detection::kNoIndex;
+  detection.false_density = map.density(detection.plot.range, detection.plot.azimuth);
+  detection.crowding = map.areMany(detection.false_density) ? 2.0 * std::log(detection.false_density)
+                                                            : -std::numeric_limits<double>::infinity();
+}
+
+/// Fills in the likelihood. False: a tentative track leaves such a detection alone; where they are many, the comparison
+/// with `farthest` says so of nearly all before anything is worked out.
 bool Correlator::mayBeOf(const Track& track, Candidate& candidate, double range_difference, double azimuth_difference,
-                         const RadarQuality& quality) const {
+                         double farthest, const FalsePlotMap& map) const {
   const Prediction& p = track.predicted;
-  const double across = p.range * azimuth_difference, manoeuvre = manoeuvreOf(track);
-  candidate.likelihood = density(p.innovation, range_difference, across);
-  if (manoeuvre > 0.0)
-    candidate.likelihood += kHardManoeuvre * density(widened(p.innovation, manoeuvre), range_difference, across);
   Detection& detection = *candidate.detection;
-  if (detection.asked_in != run_) {
-    detection.asked_in = run_;
-    detection.askers = 0;
-    detection.index = Detection::kNoIndex;
-    detection.false_density = quality.falsePlotMap().density(detection.plot.range, detection.plot.azimuth);
+  if (detection.asked_in != run_) beginNotes(detection, map);
+  const double across = p.range * azimuth_difference;
+  const double squared = p.innovation.mahalanobis(range_difference, across);
+  if (!track.firm && squared > farthest - detection.crowding) return false;
+  const double manoeuvre = manoeuvreOf(track);
+  candidate.likelihood = density(p.innovation, squared);
+  if (manoeuvre > 0.0) {
+    const auto wide = widened(p.innovation, manoeuvre);
+    candidate.likelihood += kHardManoeuvre * density(wide, wide.mahalanobis(range_difference, across));
   }
   if (track.firm) return true;
   const double own = track.counted_false[p.radar];
   if (own > 0.0)
-    candidate.likelihood *= detection.false_density /
-                            quality.falsePlotMap().densityAround(own, detection.plot.range, detection.plot.azimuth);
+    candidate.likelihood *= detection.false_density / map.densityAround(own, detection.false_density,
+                                                                        detection.plot.range, detection.plot.azimuth);
   return detection.left * candidate.likelihood > kHardlyOwn * detection.false_density;
 }
 
 void Correlator::gather(const Track& track, const Asker& asker, RadarState& radar) {
   const Prediction& p = track.predicted;
+  const double farthest = byChances() && !track.firm ? farthestOf(track) : 0.0;
+  const FalsePlotMap& map = radar.quality.falsePlotMap();
   Entry entry{asker.slot, asker.order, asker.primary, false, candidates_.size(), 0};
   const auto consider = [&](Detection& detection, double range_difference, double azimuth_difference) {
     double distance = 0.0;
@@ -138,7 +157,7 @@ void Correlator::gather(const Track& track, const Asker& asker, RadarState& rada
     // A branch takes what all others leave: else it would live on its parent's detections.
     if (track.parent != 0 && !track.firm) gate = kGates - 1;
     Candidate candidate{&detection, distance, gate};
-    if (byChances() && !mayBeOf(track, candidate, range_difference, azimuth_difference, radar.quality)) return;
+    if (byChances() && !mayBeOf(track, candidate, range_difference, azimuth_difference, farthest, map)) return;
     candidates_.push_back(candidate);
     frontier_.add(p.range + range_difference, p.azimuth + azimuth_difference);
   };

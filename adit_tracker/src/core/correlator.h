@@ -14,8 +14,9 @@ namespace adit_tracker {
 /// Which track gets which detection. The report's track correlator: several passes through the tracks with growing
 /// regions, so that the closest pairs are made first. Tracks of two sectors ahead take part without being updated: what
 /// is closer to them is not taken by a track in the primary sector; those that cannot matter are passed over. Cost of a
-/// sector: its tracks × the detections in range of the largest region. `association: chances` gathers the same tracks
-/// and detections and gives them to the ClusterWeigher in place of the passes.
+/// sector: its tracks × the detections in range of the largest region: where N false ones lie close together and start
+/// as many tracks, N², of some nanoseconds. `association: chances` gathers the same tracks and detections and gives
+/// them to the ClusterWeigher in place of the passes.
 class Correlator {
  public:
   explicit Correlator(const AditParams& params) : params_(params) {}
@@ -78,8 +79,9 @@ class Correlator {
   double manoeuvreOf(const Track& track) const;
   ClusterWeigher::Resolution resolutionOf(const RadarQuality& quality) const;
   Reach reachOf(const Track& track) const;
+  void beginNotes(Detection& detection, const FalsePlotMap& map) const;
   bool mayBeOf(const Track& track, Candidate& candidate, double range_difference, double azimuth_difference,
-               const RadarQuality& quality) const;
+               double farthest, const FalsePlotMap& map) const;
   void gather(const Track& track, const Asker& asker, RadarState& radar);
   void gatherPrimary(const TrackFile& tracks, const std::vector<TrackFile::Slot>& slots, RadarState& radar,
                      std::int64_t running);

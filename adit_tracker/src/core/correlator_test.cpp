@@ -265,5 +265,33 @@ TEST_F(StatisticalCorrelatorTest, OfTwoTracksTheOneThatKnowsBetterWins) {
   EXPECT_EQ(correlate(20), (Result{{sure, 50.0e3}}));
 }
 
+// A tentative track asks for what is at least 1/50 as likely its own as a false plot, where these are few and where
+// they are so many that the distance alone decides. Its likelihood falls with the distance like a Gaussian's. If this
+// fails, aircraft in rain are not followed, or rain costs minutes.
+TEST_F(StatisticalCorrelatorTest, ATentativeTrackLeavesWhatIsSurelyFalseAlone) {
+  params_.association = Association::kChances;
+  correlator_ = Correlator(params_);
+  const auto tentative = trackWith(50e3, 20.5 * kSector, 300.0, 300.0);
+  tracks_.at(tentative).firm = false;
+  tracks_.at(tentative).existence = 0.5;
+  FalsePlotMap& map = radar_.quality.falsePlotMap();
+  map.addRange(64e3);
+  for (const double a_scan : {0.02, 1.0, 10.0}) {
+    for (int scan = 0; scan < 30; ++scan) {
+      map.add(20, 50e3, a_scan);
+      map.close(20);
+    }
+    const double density = map.density(50e3, 20.5 * kSector);
+    EXPECT_EQ(map.areMany(density), a_scan >= 1.0);
+    const double farthest = 300.0 * std::sqrt(-2.0 * std::log(0.02 * density * 2.0 * tws::kPi * 300.0 * 300.0));
+    for (const bool near_enough : {true, false}) {
+      ++turn_;
+      detections({{50e3, 20.5 * kSector + (farthest + (near_enough ? -1.0 : 1.0)) / 50e3}});
+      const auto& asked = correlator_.correlate(tracks_, {tentative}, {}, radar_, 64 * turn_ + 20);
+      EXPECT_EQ(asked.size(), near_enough ? 1U : 0U) << a_scan << " a scan, " << farthest << " m";
+    }
+  }
+}
+
 }  // namespace
 }  // namespace adit_tracker

@@ -28,7 +28,8 @@ struct Detection {
   std::uint32_t asked_by = 0, askers = 0;    // the first entry that wants it, and how many do
   std::uint32_t index = kNoIndex;            // in its cluster
   static constexpr std::uint32_t kNoIndex = 0xffffffff;
-  double false_density = 0.0;  // of false plots at its place [1/m²]
+  double false_density = 0.0;  // of false plots at its place [1/m²] …
+  double crowding = 0.0;       // … and twice its logarithm where they are many; else -infinity
 
   /// It is out of the file, for tracks or for good.
   void use() {
