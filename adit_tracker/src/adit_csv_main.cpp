@@ -20,6 +20,7 @@
 #include "adit_params_reader.h"
 #include "clutter/clutter_csv.h"
 #include "io/beam_times.h"
+#include "io/fate_csv.h"
 #include "io/plot_csv.h"
 #include "io/radar_spec.h"
 #include "io/sector_feed.h"
@@ -35,7 +36,7 @@ struct Options {
   std::uint32_t capacity = 0;  // 0: the parameter file's
   double epochs = 0.0;
   bool covariance = false;
-  std::string clutter_map, save_clutter_map;  // files; empty: none
+  std::string clutter_map, save_clutter_map, plots;  // files; empty: none
 };
 
 /// The radars that were named, else all of the file.
@@ -139,6 +140,12 @@ class Run {
     if (epochs_ > 0.0) pictures(std::numeric_limits<double>::infinity());
   }
 
+  /// Writes what becomes of each plot. `output` is to outlive it.
+  void tellPlots(std::ostream& output) {
+    fates_.emplace(output);
+    adit_.tellPlots([this](const SectorFates& sector) { fates_->add(adit_, sector); });
+  }
+
   bool hasFirmTracks() const { return adit_.counts().tracks_firm > 0; }
   std::uint64_t absorbed() const {
     std::uint64_t sum = 0;
@@ -200,6 +207,7 @@ class Run {
   Input input_;
   double epoch_ = 0.0;  // of the next picture, in units of the distance between them
   TrackCsv csv_;
+  std::optional<FateCsv> fates_;
   Adit adit_;
 };
 
@@ -214,9 +222,13 @@ void run(const Options& options) {
   const std::vector<std::string> inputs{options.detections, options.clutter_map, options.params};
   if (!options.save_clutter_map.empty()) tws::checkOutputPath(options.save_clutter_map, inputs);
   tws::OutputFile output(options.tracks, inputs);
+  std::optional<tws::OutputFile> plots;
+  if (!options.plots.empty()) plots.emplace(options.plots, inputs);
   Run tracker(options.epochs, std::move(found), output.stream());
+  if (plots) tracker.tellPlots(plots->stream());
   tracker.go();
   output.finish();
+  if (plots) plots->finish();
   if (!options.save_clutter_map.empty()) saveClutterFile(options.save_clutter_map, tracker.clutter());
   tracker.summary(table);
   // Who asks for clutter may have nothing else.
@@ -248,6 +260,8 @@ std::optional<int> parse(Options& options, int argc, char** argv) {
   app.add_option("--epochs", options.epochs, "write the picture at each multiple of so many seconds")
       ->check(epochsProblem);
   app.add_flag("--covariance", options.covariance, "write the covariance of position and velocity, too");
+  app.add_option("--plots", options.plots,
+                 "write what became of each plot, and which tracks wanted it, into this file");
   app.add_option("--clutter-map", options.clutter_map, "clutter that is known from the start: a file as saved");
   app.add_option("--save-clutter-map", options.save_clutter_map, "write what is clutter at the end into this file");
   app.failure_message([](const CLI::App*, const CLI::Error& error) {
@@ -256,6 +270,7 @@ std::optional<int> parse(Options& options, int argc, char** argv) {
   try {
     app.parse(argc, argv);
     options.radars = parseRadars(radars);
+    if (options.plots == options.tracks) throw std::invalid_argument("--plots and --tracks name the same file");
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 2;
   } catch (const std::invalid_argument& error) {

@@ -1,6 +1,7 @@
 #include <adit_tracker/adit_node.h>
 
 #include <tws_msgs/ClutterMap.h>
+#include <tws_msgs/PlotFates.h>
 #include <tws_msgs/Tracks.h>
 #include <tws_runtime/conversions.h>
 #include <tws_runtime/radar_inputs.h>
@@ -56,6 +57,7 @@ class AditNode::Impl {
               iff_.beginNewRun(time);
               begin();
             }) {
+    if (params_.plot_fates) fates_ = bus.advertise<tws_msgs::PlotFates>("~plot_fates");
     begin();
     bus.diagnose("tracker", [this] { return diagnosisOf(*adit_, state(bus_.now())); });
   }
@@ -67,6 +69,7 @@ class AditNode::Impl {
     troubles_.beginNewRun();
     heard_.assign(params_.adit.radars.size(), -std::numeric_limits<double>::infinity());
     adit_.emplace(params_.adit, [this](const SectorReport& report) { publish(report); });
+    if (params_.plot_fates) adit_->tellPlots([this](const SectorFates& sector) { publishFates(sector); });
     clutter_interface_.beginRun();
     elevation_.begin(*adit_);
   }
@@ -155,6 +158,13 @@ class AditNode::Impl {
     elevation_.afterSector(*adit_, report);
   }
 
+  void publishFates(const SectorFates& sector) {
+    tws_msgs::PlotFates message = fatesMessage(*adit_, sector);
+    message.header.frame_id = inputs_.frame(sector.radar);
+    message.tracker = bus_.name();
+    fates_.publish(message);
+  }
+
   /// Once a turn of each radar.
   void publishClutter(const SectorReport& report) {
     tws_msgs::ClutterMap message = clutterMessage(*adit_);
@@ -184,6 +194,7 @@ class AditNode::Impl {
   tws_runtime::TrackWriter tracks_;
   tws_runtime::Publisher<tws_msgs::ClutterMap> clutter_;
   tws_runtime::Publisher<tws_msgs::TrackerStatus> status_;
+  tws_runtime::Publisher<tws_msgs::PlotFates> fates_;
   ElevationInterface elevation_;
   OperatorInterface operators_;
   ClutterInterface clutter_interface_;

@@ -28,6 +28,47 @@ struct OperatedRun {
   std::uint32_t handed_off = 0, dropped = 0, by_hand = 0;
 };
 
+// If this fails, "why did it lose my aircraft?" is answered by another track's plot, or not at all.
+TEST(AditNode, OnDemandItTellsWhatBecomesOfEachPlot) {
+  const RadarSectors radars = flights(60.0, eightAircraft());
+  NodeGraph silent, asked("{plot_fates: true}");
+  silent.play(radars, 0.0, 60.0);
+  asked.play(radars, 0.0, 60.0);
+  EXPECT_TRUE(silent.fates.empty());
+  std::map<std::pair<ros::Time, std::uint32_t>, double> ranges;  // of plots told with tracks, by time and track
+  for (const tws_msgs::Track& update : asked.updates()) {
+    if (update.state != tws_msgs::Track::DROPPED && !std::isnan(update.plot_range))
+      ranges[{update.last_update, update.uid}] = update.plot_range;
+  }
+  std::size_t updated = 0;
+  for (const tws_msgs::PlotFates& sector : asked.fates) {
+    EXPECT_EQ(sector.tracker, "adit");
+    EXPECT_EQ(sector.header.frame_id, sector.radar);
+    EXPECT_EQ(sector.sector, sector.running_sector % 64);
+    for (const tws_msgs::PlotFate& fate : sector.plots) {
+      EXPECT_GT(fate.stamp, sector.header.stamp);
+      if (fate.fate != tws_msgs::PlotFate::UPDATED) continue;
+      ++updated;
+      EXPECT_EQ((ranges[{fate.stamp, fate.track}]), fate.range) << fate.stamp;
+    }
+  }
+  EXPECT_GT(updated, 80U);
+}
+
+// If this fails, a display cannot tell a sure track from a doubtful one, or a turn from straight flight.
+TEST(AditNode, TracksBearTheirChanceOfExistenceAndOfTheirModels) {
+  const RadarSectors radars = flights(60.0, eightAircraft());
+  NodeGraph node;
+  node.play(radars, 0.0, 60.0);
+  for (const auto& [uid, track] : node.picture()) {
+    EXPECT_GT(track.existence, 0.97F);
+    ASSERT_EQ(track.model_probabilities.size(), 3U);
+    EXPECT_GT(track.model_probabilities[0], 0.5F) << "all fly straight";
+    EXPECT_NEAR(track.model_probabilities[0] + track.model_probabilities[1] + track.model_probabilities[2], 1.0, 1e-5);
+  }
+  EXPECT_EQ(node.picture().size(), 8U);
+}
+
 // If this fails, an operator's orders come back as done and are not.
 TEST(AditNode, WhatAnOperatorOrdersShowsInTheTracks) {
   const OperatedRun run;

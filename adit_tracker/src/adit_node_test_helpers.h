@@ -6,6 +6,7 @@
 #include <tws_msgs/InitiateTrack.h>
 #include <tws_msgs/OperatorCommand.h>
 #include <tws_msgs/OperatorRequest.h>
+#include <tws_msgs/PlotFates.h>
 #include <tws_msgs/SectorMark.h>
 #include <tws_msgs/TrackerStatus.h>
 #include <tws_msgs/Tracks.h>
@@ -39,6 +40,7 @@ class NodeGraph {
     ear.subscribe<tws_msgs::Tracks>("/adit/tracks", [this](const auto& m) { tracks.push_back(m); });
     ear.subscribe<tws_msgs::OperatorRequest>("/adit/operator_requests", [this](const auto& m) { told.push_back(m); });
     ear.subscribe<tws_msgs::TrackerStatus>("/adit/status", [this](const auto& m) { statuses.push_back(m); });
+    ear.subscribe<tws_msgs::PlotFates>("/adit/plot_fates", [this](const auto& m) { fates.push_back(m); });
     recorded = ear.advertise<tws_msgs::OperatorRequest>("/adit/recorded_requests");
     points = ear.advertise<geometry_msgs::PointStamped>("/clicked_point");
     for (std::size_t r = 0; r < 2; ++r) {
@@ -164,6 +166,7 @@ class NodeGraph {
   std::vector<tws_msgs::Tracks> tracks;
   std::vector<tws_msgs::OperatorRequest> told;
   std::vector<tws_msgs::TrackerStatus> statuses;
+  std::vector<tws_msgs::PlotFates> fates;
   tws_runtime::Publisher<tws_msgs::OperatorRequest> recorded;
   tws_runtime::Publisher<geometry_msgs::PointStamped> points;
 

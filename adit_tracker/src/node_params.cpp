@@ -25,6 +25,7 @@ NodeParams readNodeParams(tws_runtime::Bus& bus) {
   reader.number("restart_limit_s", params.inputs.restart_limit, 0.5, 3600.0);
   reader.integer("overflow_sectors", params.overflow, 0, 1000000);
   reader.text("point_topic", params.point_topic);
+  reader.flag("plot_fates", params.plot_fates);
   reader.text("clutter_map", params.clutter_map);
   reader.text("clutter_map_folder", params.clutter_map_folder);
   reader.done();

@@ -18,6 +18,7 @@ struct NodeParams {
   tws_runtime::RadarInputs::Options inputs;
   std::size_t overflow = 20;  // sectors behind the antenna
   std::string point_topic;
+  bool plot_fates = false;         // publish what becomes of each plot
   std::string clutter_map;         // file
   std::string clutter_map_folder;  // of what is saved and loaded by service
 };

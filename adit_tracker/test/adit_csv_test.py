@@ -290,6 +290,30 @@ class AditCsv(unittest.TestCase):
         self.assertEqual(lines[0].split(",")[:8], "t_s,track_id,x_m,y_m,vx_mps,vy_mps,status,cov_x_x".split(","))
         self.assertTrue(all(0 < float(line.split(",")[7]) < 1e6 for line in lines[1:]))
 
+    # If this fails, nobody finds out which track took an aircraft's plot, and why.
+    def test_what_became_of_each_plot_comes_when_it_is_asked_for(self):
+        fates = os.path.join(self.folder.name, "fates.csv")
+        rows, _ = self.track(plots(), "--plots", fates)
+        with open(fates) as file:
+            lines = [line.split(",") for line in file.read().splitlines()]
+        self.assertEqual(lines[0], "t_s,radar,range_m,az_deg,fate,track_id,chance_false,claims".split(","))
+        self.assertEqual(sorted(line[:2] + line[2:4] for line in lines[1:]),
+                         sorted([t, radar, r, a] for t, radar, _, r, a in (row.split(",") for row in plots())))
+        updates = {(row[0], row[1]) for row in rows}
+        self.assertEqual({line[4] for line in lines[1:]}, {"started", "updated"})
+        for line in lines[1:]:
+            self.assertIn((line[0], line[5]), updates)
+            if line[4] == "updated":
+                uid, chance, sigmas = line[7].split(" ")[0].split(":")
+                self.assertEqual(uid, line[5])
+                self.assertGreater(float(chance), 0.9)
+                self.assertLess(float(sigmas), 5)
+
+    def test_both_results_cannot_be_one_file(self):
+        self.write(plots())
+        done = self.start("--detections", self.detections, "--tracks", self.tracks, "--plots", self.tracks)
+        self.assertEqual((done.returncode, done.stderr), (2, "adit_csv: --plots and --tracks name the same file\n"))
+
     # If this fails, files whose time is that of the day or of the epoch 1970 take hours.
     def test_epochs_begin_with_the_plots(self):
         rows, _ = self.track(plots(start=1599999984), "--epochs", "5", radars=("a:6:0", "b:8:0"))

@@ -126,9 +126,11 @@ class BagSource::Impl {
     const MessageType* known = graph.typeOf(topic);
     const MessageType type = known ? *known : rawType(connection);
     if (type.datatype != connection.datatype || type.md5sum != connection.md5sum)
-      throw std::runtime_error(path_ + ": topic " + connection.topic + " holds " + connection.datatype + " (md5 " +
-                               connection.md5sum + "), but the nodes read " + type.datatype + " (md5 " + type.md5sum +
-                               ")");
+      throw std::runtime_error(
+          path_ + ": topic " + connection.topic + " holds " + connection.datatype + " (md5 " + connection.md5sum +
+          "), but the nodes read " + type.datatype + " (md5 " + type.md5sum +
+          "); `rosbag fix -n OLD.bag NEW.bag $(rospack find tws_msgs)/migration/rules.bmr` brings a bag "
+          "of an earlier version up to date");
     const bool latched = headerField(*connection.header, "latching") == "1";
     outputs_[connection.header.get()] = {graph.openChannel(nodeName(*connection.header), topic, latched, type),
                                          type.read};

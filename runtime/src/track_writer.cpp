@@ -44,7 +44,8 @@ tws_msgs::Track blankTrack(std::uint32_t number, std::uint32_t uid) {
   track.uid = uid;
   track.elevation = track.position.z = track.velocity.z = track.course = kUnknown;
   track.mode_1 = track.mode_2 = track.mode_3a = tws_msgs::Track::CODE_UNKNOWN;
-  track.height = track.height_sigma = kUnknown;
+  track.height = track.height_sigma = track.plot_range = track.plot_azimuth = kUnknown;
+  track.existence = std::numeric_limits<float>::quiet_NaN();
   return track;
 }
 

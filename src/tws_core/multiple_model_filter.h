@@ -79,6 +79,8 @@ class MultipleModelFilter {
 
   /// Chance that the target flies straight now, 0..1.
   double straightProbability() const { return probability_[0]; }
+  /// The same of straight flight, a turn to the right, and one to the left.
+  const std::array<double, 3>& probabilities() const { return probability_; }
 
  private:
   void mix(double dt, const MultipleModelParams& params);

@@ -18,6 +18,23 @@ AditParams checked(const AditParams& params) {
   return params;
 }
 
+/// What correlation and clutter map have made of a detection.
+PlotFate fateSoFar(const Detection& detection) {
+  PlotFate fate{detection.plot, PlotFate::kLeft, 0, detection.left, detection.claims};
+  if (detection.used && detection.left == 0.0) fate.kind = PlotFate::kClutter;
+  for (const PlotClaim& claim : detection.claims) {
+    if (!claim.took) continue;
+    fate.kind = PlotFate::kUpdated;
+    fate.uid = claim.uid;
+  }
+  return fate;
+}
+
+void start(PlotFate& fate, std::uint32_t uid) {
+  fate.kind = PlotFate::kStarted;
+  fate.uid = uid;
+}
+
 /// The radar that updated a track last: at another site, it may be the only one that detects it.
 std::size_t latestOf(const Track& track, std::size_t radars) {
   const auto end = track.updated.begin() + static_cast<std::ptrdiff_t>(radars);
@@ -95,9 +112,20 @@ void Adit::skip() {
   }
 }
 
+void Adit::tellPlots(PlotSink sink) {
+  plot_sink_ = std::move(sink);
+  correlator_.keepClaims();
+}
+
 void Adit::finish() {
   order_.finish();
   while (step()) continue;
+  for (std::size_t radar = 0; plot_sink_ && radar < radars_.size(); ++radar) {
+    fates_ = {radar, order_.newest(radar), {}};
+    for (const Detection& d : radars_.at(radar).detections.at(fates_.running).detections)
+      fates_.plots.push_back(fateSoFar(d));
+    if (!fates_.plots.empty()) plot_sink_(fates_);
+  }
 }
 
 /// Figure 3 of the report: one sector of the radar whose data are the oldest.
@@ -160,7 +188,7 @@ void Adit::mapClutter(const tws::SectorRef& sector) {
     plot.time = point.last_update;
     plot.range = point.range;
     plot.azimuth = point.azimuth;
-    const auto slot = startTrack(sector.radar, plot);
+    const auto slot = startTrack(sector.radar, plot, true);
     if (!slot) continue;
     tracks_.at(*slot).updated = point.updated;  // with one map for all, another radar may have detected it last
     ++counts_.to_track;
@@ -284,17 +312,21 @@ void Adit::initiate(const tws::SectorRef& sector) {
   constexpr double kRatherNew = 0.97;
   const std::int64_t behind = sector.running - kInitiationBehind;
   RadarState& radar = radars_.at(sector.radar);
+  fates_ = {sector.radar, behind, {}};
   for (Detection& detection : radar.detections.at(behind).detections) {
     TrackFile::Slot track = detection.taker;
+    if (plot_sink_) fates_.plots.push_back(fateSoFar(detection));
     if (!detection.used && detection.left > kRatherNew && !detection.isTaken()) {
       detection.used = true;
       track = startTrackOrBranch(sector, detection);
+      if (plot_sink_ && track != Detection::kNoTaker) start(fates_.plots.back(), tracks_.at(track).uid);
       if (detection.claim == Detection::kNoClaim) clutter_.initiate(detection.plot, sector.radar);
     }
     detection.used = true;
     if (detection.left > 0.0) learnFalse({sector.radar, behind}, detection, track);
   }
   radar.quality.falsePlotMap().close(tws::Antenna::sectorNumber(behind));
+  if (plot_sink_) plot_sink_(fates_);
 }
 
 /// As far as no track has made it, a plot is false. `slot`: of the track that has taken it or begins with it;
@@ -310,11 +342,11 @@ void Adit::learnFalse(const tws::SectorRef& sector, const Detection& detection, 
   counted = static_cast<float>(FalsePlotMap::kKept * counted + detection.left);
 }
 
-std::optional<TrackFile::Slot> Adit::startTrack(std::size_t radar, const tws::Plot& plot) {
+std::optional<TrackFile::Slot> Adit::startTrack(std::size_t radar, const tws::Plot& plot, bool from_clutter) {
   const auto slot = tracks_.create(radar, plot);
   if (!slot) return std::nullopt;
   // Met in a sector that is behind the front or at most a few ahead of it.
-  tracks_.start(*slot, radar, tws::Antenna::near(plot.azimuth, order_.front(radar)));
+  tracks_.start(*slot, radar, from_clutter ? nullptr : &plot, tws::Antenna::near(plot.azimuth, order_.front(radar)));
   meeting_.enter(*slot, radars_.at(radar).site);
   return slot;
 }

@@ -34,6 +34,7 @@ constexpr std::int64_t kSectorsAhead = kClutterAhead + 1;
 class Adit {
  public:
   using Sink = std::function<void(const SectorReport&)>;
+  using PlotSink = std::function<void(const SectorFates&)>;
 
   /// Throws std::invalid_argument (see check). `sink` is called for every sector processed; it may be empty.
   Adit(const AditParams& params, Sink sink);
@@ -58,6 +59,10 @@ class Adit {
   void skip();
   /// No more data will come: processes what is left.
   void finish();
+
+  /// From now on, `sink` is told what became of the plots of each sector, which is known one sector later. It costs
+  /// time for every track that a plot may belong to.
+  void tellPlots(PlotSink sink);
 
   /// For operators.
   ManualControl& manual() { return manual_; }
@@ -91,12 +96,13 @@ class Adit {
   void initiate(const tws::SectorRef& sector);
   void learnFalse(const tws::SectorRef& sector, const Detection& detection, TrackFile::Slot slot);
   /// Nothing: there is no number left.
-  std::optional<TrackFile::Slot> startTrack(std::size_t radar, const tws::Plot& plot);
+  std::optional<TrackFile::Slot> startTrack(std::size_t radar, const tws::Plot& plot, bool from_clutter = false);
   TrackFile::Slot startTrackOrBranch(const tws::SectorRef& sector, const Detection& detection);
   std::size_t siteOf(const tws::SectorRef& sector) const { return radars_.at(sector.radar).site; }
 
   AditParams params_;
   Sink sink_;
+  PlotSink plot_sink_;
   AditCounts counts_;
   Radars radars_;
   tws::SectorOrder order_;
@@ -114,6 +120,7 @@ class Adit {
   // Of the sector being processed; kept to save allocations.
   Slots primary_, secondary_;
   std::vector<PlotChance> plots_;
+  SectorFates fates_;  // of the sector of initiation
 };
 
 /// Takes a sector in and processes what has become ready, for a caller that may be away for long.

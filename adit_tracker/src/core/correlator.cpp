@@ -28,6 +28,15 @@ double farthestOf(const Track& track) {
   constexpr double kRounding = 1e-9;
   return kRounding - 2.0 * std::log(2.0 * tws::kPi * kHardlyOwn) - std::log(track.predicted.innovation.determinant());
 }
+
+/// The track's claim to the detection, a new one if it has none.
+PlotClaim& claimOf(Detection& detection, std::uint32_t uid) {
+  auto& claims = detection.claims;
+  const auto claim = std::find_if(claims.begin(), claims.end(), [&](const PlotClaim& c) { return c.uid == uid; });
+  if (claim != claims.end()) return *claim;
+  claims.push_back({uid, 0.0F});
+  return claims.back();
+}
 }  // namespace
 
 std::size_t Correlator::smallestGate(const Track& track, double range_difference, double azimuth_difference,
@@ -232,6 +241,30 @@ void Correlator::pass(std::size_t gate) {
   }
 }
 
+void Correlator::noteClaims(const TrackFile& tracks) const {
+  for (const Entry& entry : entries_) {
+    const Track& track = tracks.at(entry.slot);
+    for (std::size_t i = entry.first; i < entry.last; ++i) {
+      const Candidate& c = candidates_[i];
+      const double squared = std::max(0.0, c.distance - track.predicted.log_volume);
+      claimOf(*c.detection, track.uid).sigmas = params_.gates == GateKind::kFixed
+                                                    ? std::numeric_limits<float>::quiet_NaN()
+                                                    : static_cast<float>(std::sqrt(squared));
+    }
+  }
+  for (const Correlation& c : correlations_) {
+    const std::uint32_t uid = tracks.at(c.slot).uid;
+    for (std::size_t i = c.first; i < c.last; ++i) {
+      const PlotChance& plot = chances()[i];
+      claimOf(*plot.detection, uid).chance = static_cast<float>(plot.chance * c.existence);
+    }
+    if (c.detection == nullptr) continue;
+    PlotClaim& claim = claimOf(*c.detection, uid);
+    claim.took = true;
+    if (!c.weighed) claim.chance = static_cast<float>(1.0 - c.detection->left);
+  }
+}
+
 const std::vector<Correlation>& Correlator::correlate(const TrackFile& tracks,
                                                       const std::vector<TrackFile::Slot>& primary,
                                                       const std::vector<TrackFile::Slot>& secondary, RadarState& radar,
@@ -249,6 +282,7 @@ const std::vector<Correlation>& Correlator::correlate(const TrackFile& tracks,
   } else {
     for (std::size_t gate = 0; gate < kGates; ++gate) pass(gate);
   }
+  if (keeps_claims_) noteClaims(tracks);
   return correlations_;
 }
 

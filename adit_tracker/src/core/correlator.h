@@ -28,6 +28,9 @@ class Correlator {
                                             const std::vector<TrackFile::Slot>& secondary, RadarState& radar,
                                             std::int64_t running, std::size_t site = 0);
 
+  /// From now on, detections bear the claims of all tracks that want them.
+  void keepClaims() { keeps_claims_ = true; }
+
   /// What the weighed correlations of the last run refer to.
   const std::vector<PlotChance>& chances() const { return weigher_.chances(); }
 
@@ -91,10 +94,12 @@ class Correlator {
   std::size_t smallestGate(const Track& track, double range_difference, double azimuth_difference,
                            double& distance) const;
   void pass(std::size_t gate);
+  void noteClaims(const TrackFile& tracks) const;
   Detection* closest(const Entry& entry, std::size_t gate) const;
 
   AditParams params_;
   std::uint64_t run_ = 0;  // flags of earlier runs do not count
+  bool keeps_claims_ = false;
   Frontier frontier_;
   std::vector<Asker> secondary_;
   std::vector<Entry> entries_;

@@ -33,7 +33,7 @@ DetectionSector& DetectionFile::add(const tws::RadarSector& sector) {
   slot.enter_time = sector.enter_time;
   slot.leave_time = sector.leave_time;
   slot.detections.clear();
-  for (const tws::Plot& plot : sector.plots) slot.detections.push_back(Detection{plot});
+  for (const tws::Plot& plot : sector.plots) slot.detections.emplace_back().plot = plot;
   // Of plots at equal range the earlier goes first, so that the result is the same in every run.
   std::sort(slot.detections.begin(), slot.detections.end(), [](const Detection& a, const Detection& b) {
     return std::tie(a.plot.range, a.plot.time, a.plot.azimuth) < std::tie(b.plot.range, b.plot.time, b.plot.azimuth);

@@ -7,6 +7,7 @@
 
 #include <tws_core/angles.h>
 #include <tws_core/plot.h>
+#include "core/plot_fates.h"
 
 namespace adit_tracker {
 
@@ -30,6 +31,8 @@ struct Detection {
   static constexpr std::uint32_t kNoIndex = 0xffffffff;
   double false_density = 0.0;  // of false plots at its place [1/m²] …
   double crowding = 0.0;       // … and twice its logarithm where they are many; else -infinity
+
+  std::vector<PlotClaim> claims;  // only if they are kept (Correlator::keepClaims)
 
   /// It is out of the file, for tracks or for good.
   void use() {

@@ -23,7 +23,7 @@ class NextMeetingTest : public testing::Test {
     plot.range = 50e3;
     plot.azimuth = kAzimuth;
     slot_ = *book_.create(0, plot);
-    book_.start(slot_, 0, kAzimuth);
+    book_.start(slot_, 0, nullptr, kAzimuth);
   }
 
   /// Both radars have been processed up to that time [s].

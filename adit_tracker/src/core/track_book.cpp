@@ -9,6 +9,15 @@
 
 namespace adit_tracker {
 
+namespace {
+
+void tell(TrackUpdate& update, const tws::Plot& plot) {
+  update.plot_range = plot.range;
+  update.plot_azimuth = plot.azimuth;
+}
+
+}  // namespace
+
 TrackBook::TrackBook(const AditParams& params, const Radars& radars, AditCounts& counts)
     : learn_noise_(params.learn_noise),
       reference_from_start_(params.conversion.from_start),
@@ -78,12 +87,14 @@ void TrackBook::doubtFirst(Track& track, double own) const {
   track.first_existence *= static_cast<float>(own);
 }
 
-void TrackBook::start(Slot slot, std::size_t radar, double unwrapped_azimuth) {
+void TrackBook::start(Slot slot, std::size_t radar, const tws::Plot* plot, double unwrapped_azimuth) {
   Track& track = tracks_.at(slot);
   track.updated[radar] = track.first_time;
   track.illuminated[radar] = unwrapped_azimuth;
   track.detected_by = static_cast<std::uint16_t>(1U << radar);
-  report_.updates.push_back({slot, TrackEvent::kStarted, track.first_time});
+  TrackUpdate update{slot, TrackEvent::kStarted, track.first_time};
+  if (plot != nullptr) tell(update, *plot);
+  report_.updates.push_back(update);
 }
 
 void TrackBook::branch(Track& track, const Parting& parting, std::size_t radar) {
@@ -121,7 +132,7 @@ void TrackBook::update(Slot slot, const tws::SectorRef& sector, RadarQuality& qu
   const double own = track.firm ? 0.0 : track.counted_false[sector.radar];
   const double false_density = quality.falsePlotMap().densityAround(own, plot.range, plot.azimuth);
   if (judge_.updated(track, sector.radar, log_likelihood, false_density, !disputed)) becomeFirm(slot);
-  report_.updates.push_back({slot, TrackEvent::kUpdated, track.smoothed.time});
+  reportUpdate(slot, track.smoothed.time, plot);
 }
 
 bool TrackBook::updateWeighed(const Correlation& c, const std::vector<PlotChance>& plots, const tws::SectorRef& sector,
@@ -149,7 +160,11 @@ bool TrackBook::updateWeighed(const Correlation& c, const std::vector<PlotChance
     drop(c.slot, time);
     return false;
   }
-  report_.updates.push_back({c.slot, detected ? TrackEvent::kUpdated : TrackEvent::kCoasted, time});
+  if (detected && c.detection != nullptr) {
+    reportUpdate(c.slot, time, c.detection->plot);
+  } else {
+    report_.updates.push_back(TrackUpdate{c.slot, detected ? TrackEvent::kUpdated : TrackEvent::kCoasted, time});
+  }
   return true;
 }
 
@@ -165,7 +180,13 @@ void TrackBook::share(Slot slot, const tws::SectorRef& sector, const tws::Plot& 
   track.coasting = false;
   track.illuminated[sector.radar] = tws::Antenna::near(plot.azimuth, sector.running);
   track.detected_by = static_cast<std::uint16_t>(track.detected_by | 1U << sector.radar);
-  report_.updates.push_back({slot, TrackEvent::kUpdated, std::max(track.smoothed.time, plot.time)});
+  reportUpdate(slot, std::max(track.smoothed.time, plot.time), plot);
+}
+
+void TrackBook::reportUpdate(Slot slot, double time, const tws::Plot& plot) {
+  TrackUpdate update{slot, TrackEvent::kUpdated, time};
+  tell(update, plot);
+  report_.updates.push_back(update);
 }
 
 /// Is the target of one site beyond the reach of the other's radar? Then it is not missed there.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -18,9 +19,13 @@ namespace adit_tracker {
 enum class TrackEvent { kStarted, kUpdated, kCoasted, kDropped };
 
 struct TrackUpdate {
+  TrackUpdate(TrackFile::Slot of, TrackEvent what, double when) : slot(of), event(what), time(when) {}
+
   TrackFile::Slot slot;
   TrackEvent event;
   double time;  // of the detection, or of the illumination without one
+  // The detection that updated it: of several that may be its own, the likeliest. NaN: none.
+  double plot_range = std::numeric_limits<double>::quiet_NaN(), plot_azimuth = plot_range;
 };
 
 /// One processed sector of one radar.
@@ -52,8 +57,9 @@ class TrackBook {
 
   /// A new tentative track, in no sector yet; nothing: all numbers are in use, which is counted.
   std::optional<Slot> create(std::size_t radar, const tws::Plot& plot);
-  /// The radar has detected a new track; its beam was there at an unwrapped azimuth.
-  void start(Slot slot, std::size_t radar, double unwrapped_azimuth);
+  /// The radar has detected a new track, by this plot if it begins with one alone; its beam was there at an unwrapped
+  /// azimuth.
+  void start(Slot slot, std::size_t radar, const tws::Plot* plot, double unwrapped_azimuth);
   /// A track that has just been started flies as its parent did.
   void branch(Track& track, const Parting& parting, std::size_t radar);
   /// Its first detection may have been another track's: it was its own with this chance.
@@ -102,6 +108,7 @@ class TrackBook {
   const TrackMotion& motion() const { return motion_; }
 
  private:
+  void reportUpdate(Slot slot, double time, const tws::Plot& plot);
   void becomeFirm(Slot slot);
   bool showsErrors(const Track& track, const tws::Plot& plot) const;
   bool outOfReach(const Track& track, const RadarQuality& quality) const;

@@ -20,7 +20,7 @@ class TrackBookTest : public testing::Test {
   }
   TrackFile::Slot started(double time = 10.0) {
     const TrackFile::Slot slot = *book_.create(0, plotAt(time));
-    book_.start(slot, 0, tws::Antenna::near(1.0, 100));
+    book_.start(slot, 0, nullptr, tws::Antenna::near(1.0, 100));
     book_.file().place(slot, tws::sectorOf(1.0));
     return slot;
   }

@@ -65,6 +65,9 @@ void list(const Adit& adit, const NodeState& state, const std::vector<std::size_
   value("clutter points", status.clutter_points);
   for (std::size_t i = 0; i < ready.size(); ++i) value("sectors behind " + status.radars[i], status.sector_lag[i]);
   value("sectors skipped", status.skipped_sectors);
+  value("slow tracks to clutter", adit.counts().to_clutter);
+  value("moving clutter to tracks", adit.counts().to_track);
+  value("tracks joined to a lost one", adit.counts().stitched);
   value("refused tracks", status.refused_tracks);
   value("late detections", status.late_detections);
   value("rejected detections", status.rejected_detections);

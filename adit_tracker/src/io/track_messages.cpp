@@ -51,7 +51,57 @@ void setCovariance(tws_msgs::Track& message, const tws::PlanarMotion& p, const S
   }
 }
 
+void setOutputs(tws_msgs::Track& message, const Adit& adit, const Track& track) {
+  if (adit.params().life == TrackLife::kExistence) message.existence = track.existence;
+  if (const auto* turning = std::get_if<tws::MultipleModelFilter>(&track.filter)) {
+    const auto& p = turning->probabilities();
+    message.model_probabilities.assign(p.begin(), p.end());
+  }
+}
+
+std::uint8_t numberOf(PlotFate::Kind kind) {
+  switch (kind) {
+    case PlotFate::kUpdated:
+      return tws_msgs::PlotFate::UPDATED;
+    case PlotFate::kStarted:
+      return tws_msgs::PlotFate::STARTED;
+    case PlotFate::kClutter:
+      return tws_msgs::PlotFate::CLUTTER;
+    case PlotFate::kLeft:
+      break;
+  }
+  return tws_msgs::PlotFate::LEFT;
+}
+
+tws_msgs::PlotFate fateMessage(const PlotFate& fate) {
+  tws_msgs::PlotFate message;
+  message.stamp = tws_runtime::toTime(fate.plot.time);
+  message.range = fate.plot.range;
+  message.azimuth = fate.plot.azimuth;
+  message.fate = numberOf(fate.kind);
+  message.track = fate.uid;
+  message.chance_false = static_cast<float>(fate.left);
+  for (const PlotClaim& claim : fate.claims) {
+    tws_msgs::PlotClaim& c = message.claims.emplace_back();
+    c.track = claim.uid;
+    c.chance = claim.chance;
+    c.sigmas = claim.sigmas;
+  }
+  return message;
+}
+
 }  // namespace
+
+tws_msgs::PlotFates fatesMessage(const Adit& adit, const SectorFates& sector) {
+  tws_msgs::PlotFates message;
+  const double entered = adit.radars().antenna(sector.radar).timeAt(tws::Antenna::startOf(sector.running));
+  message.header.stamp = tws_runtime::toTime(entered);
+  message.radar = adit.params().radars[sector.radar].name;
+  message.sector = static_cast<std::uint8_t>(tws::Antenna::sectorNumber(sector.running));
+  message.running_sector = static_cast<std::uint32_t>(sector.running);
+  for (const PlotFate& fate : sector.plots) message.plots.push_back(fateMessage(fate));
+  return message;
+}
 
 tws_msgs::Track trackMessage(const Adit& adit, const TrackUpdate& update, const Site& site) {
   const Track& track = adit.tracks().at(update.slot);
@@ -72,6 +122,9 @@ tws_msgs::Track trackMessage(const Adit& adit, const TrackUpdate& update, const 
     message.radars.push_back(adit.params().radars[radar].name);
     message.radar_updates.push_back(tws_runtime::toTime(track.updated[radar]));
   }
+  setOutputs(message, adit, track);
+  message.plot_range = update.plot_range;
+  message.plot_azimuth = update.plot_azimuth;
   if (const auto height = adit.tracks().height(update.slot, update.time))
     setHeight(message, *height, site, !adit.radars().severalSites());
   return message;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <tws_msgs/ClutterMap.h>
+#include <tws_msgs/PlotFates.h>
 #include <tws_msgs/Track.h>
 #include <tws_runtime/conversions.h>
 
@@ -13,6 +14,9 @@ using tws_runtime::Site;
 /// What the tracker says of a track: range and azimuth as the radars see it, position and velocity in the frame of
 /// positions.
 tws_msgs::Track trackMessage(const Adit& adit, const TrackUpdate& update, const Site& site);
+
+/// What became of a sector's plots; header.stamp, too.
+tws_msgs::PlotFates fatesMessage(const Adit& adit, const SectorFates& sector);
 
 /// The clutter map without its header.
 tws_msgs::ClutterMap clutterMessage(const Adit& adit);
