@@ -123,6 +123,8 @@ class OwnGraphTest(unittest.TestCase):
                 with self.subTest(name):
                     self.assertTrue(load(name=f"/loaded{number}", type=name).success)
                     self.assertTrue(unload(name=f"/loaded{number}").success)
+        # Some of them have told a time of their own: who draws in the same process has got over it.
+        rospy.wait_for_message("/inside/ppi/sweep", rospy.AnyMsg, timeout=10)
 
 
 if __name__ == "__main__":

@@ -1,14 +1,17 @@
 #include "marker_layer.h"
 
+#include <tws_runtime/conversions.h>
+
 #include <algorithm>
 #include <utility>
 
 namespace tws_rviz {
 namespace {
 
+using tws_runtime::secondsBetween;
 using visualization_msgs::Marker;
 
-const ros::Duration kLeastLifetime(10.0);
+constexpr double kLeastLifetime = 10.0, kGreatestLifetime = 3600.0;  // [s]
 
 std_msgs::ColorRGBA toMessage(const Rgba& color) {
   std_msgs::ColorRGBA message;
@@ -56,7 +59,10 @@ void MarkerLayer::updateLifetime(ros::Time time) {
   const bool goes_on = !time_.isZero() && time >= time_;
   // The steps differ; a short one must not make the picture flicker.
   if (!time.isZero())
-    lifetime_ = goes_on ? std::max({kLeastLifetime, (time - time_) * 10.0, lifetime_ * 0.9}) : kLeastLifetime;
+    lifetime_ =
+        goes_on ? std::max(kLeastLifetime,
+                           std::min(kGreatestLifetime, std::max(10.0 * secondsBetween(time_, time), 0.9 * lifetime_)))
+                : kLeastLifetime;
   time_ = time;
 }
 
@@ -64,7 +70,7 @@ Marker MarkerLayer::marker(const std::string& part, int id, int type) const {
   Marker marker;
   marker.header.frame_id = frame_;
   marker.header.stamp = time_;
-  marker.lifetime = lifetime_;
+  marker.lifetime = ros::Duration(lifetime_);
   marker.ns = part;
   marker.id = id;
   marker.type = type;

@@ -33,8 +33,8 @@ class MarkerLayer {
   std::string name_;
   double height_;
   bool started_ = false;
-  ros::Time time_;  // of the picture
-  ros::Duration lifetime_;
+  ros::Time time_;                  // of the picture
+  double lifetime_ = 0.0;           // [s]
   std::set<std::uint32_t> labels_;  // now on the screen
 };
 

@@ -77,6 +77,20 @@ TEST(MarkerLayer, APictureThatNoOtherFollowsVanishes) {
   EXPECT_EQ(lifetimes(500.0), std::set<double>{10.0});  // A new run.
 }
 
+// If this fails, the first /clock after another one's, or a bad stamp, ends the node: what it drew is all that is
+// drawn.
+TEST(MarkerLayer, TimeMayJumpByAsMuchAsThereIs) {
+  for (const ros::Time& time : {ros::Time(1.8e9), ros::TIME_MAX}) {
+    MarkerLayer layer("map", "tracks", 5.0);
+    layer.show(labelled({4}), ros::Time(0.01));
+    for (const Marker& marker : layer.show(labelled({4}), time).markers) {
+      if (marker.action == Marker::ADD) {
+        EXPECT_EQ(marker.lifetime.toSec(), 3600.0);
+      }
+    }
+  }
+}
+
 TEST(MarkerLayer, APictureWithoutATimeStays) {
   MarkerLayer layer("map", "background", 0.0);
   for (const Marker& marker : layer.show(labelled({4}), ros::Time()).markers) EXPECT_TRUE(marker.lifetime.isZero());

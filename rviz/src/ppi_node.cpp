@@ -6,6 +6,7 @@
 #include <tws_msgs/SsrPlots.h>
 #include <tws_msgs/Tracks.h>
 #include <tws_msgs/Truth.h>
+#include <tws_runtime/conversions.h>
 #include <tws_runtime/intake.h>
 #include <tws_runtime/parameters.h>
 
@@ -20,6 +21,8 @@
 
 namespace tws_rviz {
 namespace {
+
+using tws_runtime::secondsBetween;
 
 // Data time that goes back by more than this begins a new run [s].
 constexpr double kNewRun = 1.0;
@@ -151,7 +154,7 @@ class PpiNode::Impl {
     watchTime(bus_.now());
     applyOrReject(origin, [&] {
       // Before the first /clock nothing is known.
-      if (!latest_.isZero() && origin.header.stamp > latest_ + ros::Duration(kFuture))
+      if (!latest_.isZero() && secondsBetween(latest_, origin.header.stamp) > kFuture)
         throw std::invalid_argument("the stamp lies more than 10 s ahead of data time");
       if (const auto place = placeOf(origin.header.frame_id))
         use(origin, *place);
@@ -184,14 +187,14 @@ class PpiNode::Impl {
   // A site's transform may come a moment after its first messages. Only when it stays away is that a fault.
   void missFrame(const std_msgs::Header& header) {
     const ros::Time since = missing_frames_.try_emplace(header.frame_id, header.stamp).first->second;
-    if (header.stamp > since + ros::Duration(kFrameWait))
+    if (secondsBetween(since, header.stamp) > kFrameWait)
       throw std::invalid_argument("the frame '" + header.frame_id + "' has no transform to '" + params_.frame + "'");
     bus_.counter("messages before their site's transform").add();
   }
 
   // When data time has gone back, another run has begun: what was drawn of the old one goes.
   void watchTime(ros::Time now) {
-    if (now + ros::Duration(kNewRun) < latest_) {
+    if (secondsBetween(now, latest_) > kNewRun) {
       bus_.counter("new runs")
           .add("data time went back from " + std::to_string(latest_.toSec()) + " to " + std::to_string(now.toSec()) +
                ": the picture is cleared");

@@ -20,6 +20,7 @@
 namespace tws_rviz {
 namespace {
 
+using tws_runtime::secondsBetween;
 using tws_runtime::toSeconds;
 
 // The frame of the markers: the plane of sine space is nowhere in the world.
@@ -123,7 +124,7 @@ class SineSpaceNode::Impl {
     if (!from_map) return;
     std::vector<SineSpaceTrack> shown;
     for (const auto& [uid, track] : tracks_) {
-      const double age = tws_runtime::secondsBetween(track.stamp, message.header.stamp);
+      const double age = secondsBetween(track.stamp, message.header.stamp);
       const Eigen::Vector3d place(track.position.x + age * track.velocity.x, track.position.y + age * track.velocity.y,
                                   track.position.z + age * track.velocity.z);
       const tws::Ruv ruv = tws::ruvFromArray(*from_map * place);
@@ -140,7 +141,7 @@ class SineSpaceNode::Impl {
 
   void watchTime() {
     const ros::Time now = bus_.now();
-    if (now + ros::Duration(kNewRun) < latest_) {
+    if (secondsBetween(now, latest_) > kNewRun) {
       bus_.counter("new runs").add("data time went back: the picture is cleared");
       clear();
     }
