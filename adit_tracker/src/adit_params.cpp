@@ -99,7 +99,6 @@ void makeMarine(AditParams& p) {
   p.turning.manoeuvre_acceleration = 0.5;
   p.turning.speed_sigma = 8.0;
   p.turning.fast_speed_sigma = 0.0;
-  p.existence.firm_probability = 0.99;
   p.existence.firm_updates = 4;
   p.parting.speed = 5.0;
   p.parting.speed_sigma = 2.0;
@@ -151,6 +150,7 @@ AditParams AditParams::named(const std::string& name) {
   p.conversion.scans = 8;
   p.operators.page = 32;
   p.stitching.longest_gap = 0.0;
+  p.coverage.longest_gap = 0.0;
   p.conversion.speed_sigmas = 0.0;
   p.conversion.over_ground = false;
   p.conversion.from_start = false;

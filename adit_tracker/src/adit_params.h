@@ -90,14 +90,14 @@ struct TimerParams {
 /// Life of tracks by the chance of existence (Musicki, Evans & Stankovic, IEEE Trans. AC 39(6), 1994).
 struct ExistenceParams {
   double new_targets = 1.0;               // Expected number of new targets a scan, against the radar's false plots.
-  double firm_probability = 0.97;         // A tentative track becomes firm above it …
+  double firm_probability = 0.99;         // A tentative track becomes firm above it …
   long firm_updates = 3;                  // … with at least so many detections,
   double moving_evidence = 2.0;           // and that much log-likelihood in favour of movement over a fixed place.
   double drop_probability = 0.001;        // A firm track is dropped below it,
   double doubt_probability = 0.3;         // Below it, a firm track shows as tentative until it is detected again.
   double tentative_drop_fraction = 0.03;  // a tentative one below this share of its first chance.
   double detection_probability = 0.85;    // Assumed of a new track; each track then learns its own.
-  double survival_time = 400.0;           // Mean time that a target stays [s].
+  double survival_time = 1000.0;          // Mean time that a target stays where radars see [s].
 };
 
 /// Unresolved targets, and targets that part.
@@ -112,6 +112,13 @@ struct PartingParams {
   double per_scan = 0.005;         // Expected of a track in a scan, against the false plots near it.
   double moving_evidence = 0.0;    // A branch becomes firm with this log-likelihood in favour of movement
   long firm_updates = 2;           // A branch becomes firm with so many detections, which must be evidence enough.
+};
+
+/// What radars cover, as their firm tracks show.
+struct CoverageParams {
+  // A track that leaves what they all cover ends, unless its course brings it back within so long [s]; 0: it is not
+  // learned what they cover.
+  double longest_gap = 30.0;
 };
 
 /// What operators get.
@@ -146,6 +153,7 @@ struct AditParams {
   ClutterParams clutter;
   ConversionParams conversion;
   StitchingParams stitching;
+  CoverageParams coverage;
   bool bifurcation = true;  // Two tracks may share merged plots, and one track may split into two.
   PartingParams parting;
   OperatorParams operators;

@@ -211,6 +211,9 @@ AditParams readAditParams(ParameterReader& reader, const std::string& default_se
   readLife(reader, p);
   readClutter(reader, p);
   readStitching(reader.map("stitching"), p.stitching);
+  ParameterReader coverage = reader.map("coverage");
+  coverage.number("longest_gap_s", p.coverage.longest_gap, 0.0, 1e3);
+  coverage.done();
   reader.flag("bifurcation", p.bifurcation);
   readParting(reader.map("parting"), p.parting);
   readOperators(reader.map("operator"), p.operators);

@@ -61,8 +61,8 @@ std::vector<double> valuesOf(const AditParams& p) {
   v.insert(v.end(), {static_cast<double>(p.conversion.scans), p.conversion.speed_up, p.conversion.speed_down,
                      p.conversion.speed_sigmas, p.conversion.quiet_density, p.conversion.azimuth_rate,
                      static_cast<double>(p.conversion.over_ground), static_cast<double>(p.conversion.from_start),
-                     p.stitching.longest_gap, p.stitching.speed_change, static_cast<double>(p.operators.page),
-                     p.operators.point_sigma});
+                     p.stitching.longest_gap, p.stitching.speed_change, p.coverage.longest_gap,
+                     static_cast<double>(p.operators.page), p.operators.point_sigma});
   const PartingParams& b = p.parting;
   v.insert(v.end(),
            {static_cast<double>(p.bifurcation), b.cell_range_sigmas, b.cell_azimuth_sigmas, b.unresolved_time,

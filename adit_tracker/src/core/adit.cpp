@@ -335,6 +335,7 @@ void Adit::learnFalse(const tws::SectorRef& sector, const Detection& detection, 
   radars_.at(sector.radar)
       .quality.falsePlotMap()
       .add(tws::Antenna::sectorNumber(sector.running), detection.plot.range, detection.left);
+  radars_.quality(sector.radar).coverage().addPlot(detection.plot.range, detection.left);
   if (slot == Detection::kNoTaker || tracks_.file().sector(slot, siteOf(sector)) < 0) return;
   Track& track = tracks_.at(slot);
   if (track.firm || track.updated[sector.radar] != detection.plot.time) return;

@@ -123,7 +123,7 @@ std::optional<Bifurcation::Shared> Bifurcation::shareOf(const Run& run, const Tr
                                0.25 * both.yy + 0.5 * error.yy + across * across / 12.0};
   const double middle_along = b.along + 0.5 * along, middle_across = b.across + 0.5 * across;
   if (merged.mahalanobis(middle_along, middle_across) > kGreatestMiss * kGreatestMiss) return std::nullopt;
-  const double there = hidden.detection_probability[run.sector.radar] * hidden.existence;
+  const double there = hidden.detectionChance() * hidden.existence;
   const double as_both = there * quality.merging() * density(merged, middle_along, middle_across);
   const double as_taker = (1.0 - there) * density(b.covariance, b.along, b.across);
   const double chance = as_both / (as_both + as_taker);

@@ -18,7 +18,7 @@ struct Chances {
 };
 
 Chances chancesOf(const Track& track) {
-  const double exists = track.existence, seen = exists * track.detection_probability[track.predicted.radar];
+  const double exists = track.existence, seen = exists * track.detectionChance();
   return {exists, seen, (exists - seen) / (1.0 - seen)};
 }
 

@@ -7,6 +7,7 @@
 #include <tws_core/site_frame.h>
 #include "adit_params.h"
 #include "clutter/false_plot_map.h"
+#include "core/coverage_map.h"
 #include "core/detection_file.h"
 
 namespace adit_tracker {
@@ -36,6 +37,10 @@ class RadarQuality {
   FalsePlotMap& falsePlotMap() { return false_plots_; }
   const FalsePlotMap& falsePlotMap() const { return false_plots_; }
 
+  /// Where it sees targets.
+  CoverageMap& coverage() { return coverage_; }
+  const CoverageMap& coverage() const { return coverage_; }
+
  private:
   void setGain(double gain);
 
@@ -45,6 +50,7 @@ class RadarQuality {
   double gain_ = 0.0, grown_ = 1.0, shrunk_ = 1.0;
   double merging_ = 0.9;
   FalsePlotMap false_plots_;
+  CoverageMap coverage_;
 };
 
 /// One radar as the tracker sees it.

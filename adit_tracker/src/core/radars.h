@@ -20,6 +20,7 @@ class Radars {
   RadarState& at(std::size_t radar) { return radars_[radar]; }
   const RadarState& at(std::size_t radar) const { return radars_[radar]; }
   const tws::Antenna& antenna(std::size_t radar) const { return radars_[radar].antenna; }
+  RadarQuality& quality(std::size_t radar) { return radars_[radar].quality; }
   const RadarQuality& quality(std::size_t radar) const { return radars_[radar].quality; }
   /// Index of the reference radar.
   std::size_t reference() const { return reference_; }

@@ -37,6 +37,7 @@ struct Prediction {
   double range = 0.0, azimuth = 0.0;  // RPT, APT
   std::uint32_t radar = 0;            // whose beam
   bool vague_height = false;          // a good deal of `innovation` comes of the unknown height
+  float cover = 1.0F;                 // by how much the radar sees worse there: share of a track's own chance
   // Of the innovation in range and cross-range [m²], the radar's own errors included. Statistical gates only.
   tws::Symmetric2 innovation;
   double manoeuvre = 0.0;   // variance that a hard manoeuvre adds to each axis of it [m²]
@@ -49,6 +50,9 @@ struct FixedPlace {
   tws::Symmetric2 covariance;
   double moving_evidence = 0.0;  // log-likelihood of movement minus that of this place
 };
+
+// Share of its usual chance of detection with which a track is seen where the radar sees hardly anything.
+constexpr float kCoverWhereBlind = 0.1F;
 
 /// What the correlator looks at, of many tracks and little of each, stands first.
 struct alignas(64) Track {
@@ -79,6 +83,11 @@ struct alignas(64) Track {
   FixedPlace fixed;
   ReferencePlace reference;  // NR: eight scans ago
   std::variant<PolarFilter, tws::MultipleModelFilter> filter;
+
+  /// Chance that the radar whose beam meets it next detects it, if it is there.
+  double detectionChance() const {
+    return static_cast<double>(detection_probability[predicted.radar] * predicted.cover);
+  }
 };
 
 }  // namespace adit_tracker

@@ -18,9 +18,10 @@ void tell(TrackUpdate& update, const tws::Plot& plot) {
 
 }  // namespace
 
-TrackBook::TrackBook(const AditParams& params, const Radars& radars, AditCounts& counts)
+TrackBook::TrackBook(const AditParams& params, Radars& radars, AditCounts& counts)
     : learn_noise_(params.learn_noise),
       reference_from_start_(params.conversion.from_start),
+      longest_gap_(params.coverage.longest_gap),
       radars_(radars),
       counts_(counts),
       tracks_(params.capacity),
@@ -115,6 +116,7 @@ bool TrackBook::showsErrors(const Track& track, const tws::Plot& plot) const {
 void TrackBook::update(Slot slot, const tws::SectorRef& sector, RadarQuality& quality, const tws::Plot& plot,
                        const tws::Plot* merged, bool disputed) {
   Track& track = tracks_.at(slot);
+  look(track, quality, 1.0);
   if (merged == nullptr && showsErrors(track, plot)) {
     const Prediction& p = track.predicted;
     quality.learnErrors((plot.range - p.range) / std::sqrt(p.innovation.xx),
@@ -138,7 +140,7 @@ void TrackBook::update(Slot slot, const tws::SectorRef& sector, RadarQuality& qu
 bool TrackBook::updateWeighed(const Correlation& c, const std::vector<PlotChance>& plots, const tws::SectorRef& sector,
                               bool disputed) {
   Track& track = tracks_.at(c.slot);
-  const RadarQuality& quality = radars_.quality(sector.radar);
+  RadarQuality& quality = radars_.quality(sector.radar);
   const double time = c.detection ? c.detection->plot.time : track.predicted.time;
   const bool detected = c.missed < 0.5;
   const auto bit = static_cast<std::uint16_t>(1U << sector.radar);
@@ -156,7 +158,8 @@ bool TrackBook::updateWeighed(const Correlation& c, const std::vector<PlotChance
     heights_.update(track.uid, c.detection->plot);
   }
   if (judge_.weighed(track, sector.radar, time, c.existence, c.missed, !disputed)) becomeFirm(c.slot);
-  if (judge_.isOver(track)) {
+  look(track, quality, 1.0 - c.missed);
+  if (judge_.isOver(track) || (!detected && leavesCover(track, time))) {
     drop(c.slot, time);
     return false;
   }
@@ -189,6 +192,26 @@ void TrackBook::reportUpdate(Slot slot, double time, const tws::Plot& plot) {
   report_.updates.push_back(update);
 }
 
+/// What a firm track shows of the radar whose beam has met it.
+void TrackBook::look(const Track& track, RadarQuality& quality, double seen) const {
+  if (longest_gap_ > 0.0 && track.firm)
+    quality.coverage().look(track.predicted.range, track.predicted.azimuth, seen, track.existence);
+}
+
+/// Does no radar see a target there, nor where it will be in the next while?
+bool TrackBook::leavesCover(const Track& track, double time) const {
+  if (longest_gap_ == 0.0 || !track.firm) return false;
+  constexpr double kStep = 5.0;  // [s]
+  for (double ahead = 0.0; ahead <= longest_gap_; ahead += kStep) {
+    for (std::size_t radar = 0; radar < radars_.size(); ++radar) {
+      const ApparentPosition there = apparentPosition(track, radar, time + ahead);
+      const CoverageMap& coverage = radars_.quality(radar).coverage();
+      if (coverage.hasLooked() && !coverage.isBlind(there.range, there.azimuth)) return false;
+    }
+  }
+  return true;
+}
+
 /// Is the target of one site beyond the reach of the other's radar? Then it is not missed there.
 bool TrackBook::outOfReach(const Track& track, const RadarQuality& quality) const {
   constexpr double kRecently = 30.0;  // [s]
@@ -203,7 +226,9 @@ bool TrackBook::miss(Slot slot, const tws::SectorRef& sector) {
   if (outOfReach(track, radars_.quality(sector.radar))) return true;
   track.coasting = true;
   const double time = track.predicted.time;
-  const bool dropped = judge_.missed(track, sector.radar, time);
+  const bool over = judge_.missed(track, sector.radar, time);
+  look(track, radars_.quality(sector.radar), 0.0);
+  const bool dropped = over || leavesCover(track, time);
   if (dropped) {
     drop(slot, time);
   } else {
@@ -247,9 +272,9 @@ void TrackBook::join(const std::vector<tws::SiteFrame>& frames) {
   for (const auto slot : living()) motion_.guessHeight(tracks_.at(slot));
 }
 
-ApparentPosition TrackBook::apparentPosition(Slot slot, std::size_t radar, double time) const {
-  if (motion_.joined()) return motion_.apparentPosition(tracks_.at(slot), radar, time);
-  const Kinematics k = extrapolate(slot, time).kinematics;
+ApparentPosition TrackBook::apparentPosition(const Track& track, std::size_t radar, double time) const {
+  if (motion_.joined()) return motion_.apparentPosition(track, radar, time);
+  const Kinematics k = motion_.at(track, time).kinematics;
   return {k.range, k.azimuth, k.azimuth_rate};
 }
 

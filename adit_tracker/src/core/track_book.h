@@ -43,7 +43,7 @@ class TrackBook {
   using Slot = TrackFile::Slot;
 
   /// `radars` and `counts` are to outlive it.
-  TrackBook(const AditParams& params, const Radars& radars, AditCounts& counts);
+  TrackBook(const AditParams& params, Radars& radars, AditCounts& counts);
 
   /// A sector is about to be processed: its report begins with what operators have done since the last one.
   void begin(const tws::SectorRef& sector, double enter_time);
@@ -98,7 +98,9 @@ class TrackBook {
   /// A track at any instant, by its filter.
   Extrapolation extrapolate(Slot slot, double time) const { return motion_.at(tracks_.at(slot), time); }
   /// Where that radar would measure it then.
-  ApparentPosition apparentPosition(Slot slot, std::size_t radar, double time) const;
+  ApparentPosition apparentPosition(Slot slot, std::size_t radar, double time) const {
+    return apparentPosition(tracks_.at(slot), radar, time);
+  }
   /// Its height, where elevations have given it.
   std::optional<Height> height(Slot slot, double time) const { return heights_.at(tracks_.at(slot).uid, time); }
   /// Firm, and not in doubt after missed illuminations.
@@ -111,11 +113,15 @@ class TrackBook {
   void reportUpdate(Slot slot, double time, const tws::Plot& plot);
   void becomeFirm(Slot slot);
   bool showsErrors(const Track& track, const tws::Plot& plot) const;
+  ApparentPosition apparentPosition(const Track& track, std::size_t radar, double time) const;
+  void look(const Track& track, RadarQuality& quality, double seen) const;
+  bool leavesCover(const Track& track, double time) const;
   bool outOfReach(const Track& track, const RadarQuality& quality) const;
   void doubtOtherSites(Track& track, std::size_t radar) const;
 
   bool learn_noise_, reference_from_start_;
-  const Radars& radars_;
+  double longest_gap_;
+  Radars& radars_;
   AditCounts& counts_;
   TrackFile tracks_;
   TrackMotion motion_;

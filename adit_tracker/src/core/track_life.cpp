@@ -11,8 +11,11 @@ constexpr float kGreatestChance = 0.99999F;
 constexpr float kDetectionGain = 0.1F;
 constexpr float kLeastDetection = 0.3F, kGreatestDetection = 0.97F;
 
-void learnDetection(float& p, float detected) {
-  p = std::clamp(p + kDetectionGain * (detected - p), kLeastDetection, kGreatestDetection);
+/// Where the radar sees little of anything, a miss says little of the track.
+void learnDetection(Track& track, std::size_t radar, float detected) {
+  float& p = track.detection_probability[radar];
+  const float expected = p * track.predicted.cover;
+  p = std::clamp(p + kDetectionGain * (detected - expected), kLeastDetection, kGreatestDetection);
 }
 
 /// Bayes: the chance after evidence with this ratio of likelihoods.
@@ -57,9 +60,8 @@ bool TrackJudge::updated(Track& track, std::size_t radar, double log_likelihood,
                          bool may_become_firm) const {
   if (params_.life == TrackLife::kExistence) {
     age(track, track.last_update);
-    track.existence =
-        byBayes(track.existence, track.detection_probability[radar] * std::exp(log_likelihood) / false_density);
-    learnDetection(track.detection_probability[radar], 1.0F);
+    track.existence = byBayes(track.existence, track.detectionChance() * std::exp(log_likelihood) / false_density);
+    learnDetection(track, radar, 1.0F);
   }
   return becomesFirm(track, may_become_firm);
 }
@@ -74,7 +76,7 @@ bool TrackJudge::weighed(Track& track, std::size_t radar, double time, double ex
                          bool may_become_firm) const {
   track.existence = std::min(kGreatestChance, static_cast<float>(existence));
   age(track, time);
-  learnDetection(track.detection_probability[radar], static_cast<float>(1.0 - missed));
+  learnDetection(track, radar, static_cast<float>(1.0 - missed));
   return becomesFirm(track, may_become_firm && missed < 0.5);
 }
 
@@ -89,8 +91,8 @@ bool TrackJudge::missed(Track& track, std::size_t radar, double time) const {
     return time - track.last_update > kept;
   }
   age(track, time);
-  track.existence = byBayes(track.existence, 1.0 - track.detection_probability[radar]);
-  learnDetection(track.detection_probability[radar], 0.0F);
+  track.existence = byBayes(track.existence, 1.0 - track.detectionChance());
+  learnDetection(track, radar, 0.0F);
   return isOver(track);
 }
 

@@ -302,6 +302,8 @@ void TrackMotion::predict(Track& track, std::size_t radar, double time, const Ra
   const double manoeuvre = tws::MultipleModelFilter::manoeuvreSigma(std::min(dt, kLongestManoeuvre), params_.turning);
   p.manoeuvre = manoeuvre * manoeuvre;
   p.log_volume = std::log(p.innovation.determinant() / (along * cross));
+  const bool blind = params_.coverage.longest_gap > 0.0 && quality.coverage().isBlind(p.range, p.azimuth);
+  p.cover = blind ? kCoverWhereBlind : 1.0F;
 }
 
 /// The place in the predicted radar's slant range and azimuth, with the covariance of the innovation but for the

@@ -1,0 +1,103 @@
+#include "core/coverage_map.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace adit_tracker {
+namespace {
+
+constexpr double kLeastRange = 10e3;  // [m]
+constexpr double kFirstGuess = 0.85;  // chance of detection before anything has shown
+constexpr double kPriorLooks = 4.0;   // weight of what a larger cell says
+constexpr float kRemembered = 64.0F;  // looks, in each cell
+constexpr double kEverywhereGain = 0.03;
+constexpr double kGood = 0.5;   // of all looks: a radar that is on sees so many targets
+constexpr double kBlind = 0.2;  // chance of detection
+
+}  // namespace
+
+CoverageMap::CoverageMap()
+    : bin_(kLeastRange / kBins),
+      everywhere_(kFirstGuess),
+      cells_(static_cast<std::size_t>(kLevels * tws::kSectors * (kBins + 1))) {}
+
+int CoverageMap::binOf(double range) const {
+  return static_cast<int>(std::clamp(range / bin_, 0.0, static_cast<double>(kBins)));
+}
+
+/// Two bins become one; what lay beyond has yet to show.
+void CoverageMap::widen() {
+  bin_ *= 2.0;
+  for (std::size_t bin = 0; bin < kBins; ++bin)
+    false_plots_[bin] = bin < kBins / 2 ? false_plots_[2 * bin] + false_plots_[2 * bin + 1] : 0.0;
+  for (int row = 0; row < kLevels * tws::kSectors; ++row) {
+    Cell* const bins = &cells_[static_cast<std::size_t>(row * (kBins + 1))];
+    for (int bin = 0; bin < kBins; ++bin) {
+      Cell sum;
+      for (int half = 2 * bin; half < std::min(2 * bin + 2, kBins); ++half) {
+        sum.seen += bins[half].seen;
+        sum.looks += bins[half].looks;
+      }
+      bins[bin] = sum;
+    }
+    bins[kBins] = {};
+  }
+}
+
+void CoverageMap::look(double range, double azimuth, double seen, double weight) {
+  const double counts = weight * (seen + (1.0 - seen) * std::min(1.0, everywhere_ / kGood));
+  has_looked_ = true;
+  everywhere_ += kEverywhereGain * weight * (seen - everywhere_);
+  const int sector = tws::sectorOf(azimuth), bin = binOf(range);
+  for (int level = 0; level < kLevels; ++level) {
+    Cell& cell = cells_[indexOf(level, sector, bin)];
+    const float kept = kRemembered / (kRemembered + static_cast<float>(counts));
+    cell.seen = kept * (cell.seen + static_cast<float>(counts * seen));
+    cell.looks = kept * (cell.looks + static_cast<float>(counts));
+  }
+}
+
+double CoverageMap::after(const Cell& cell, double prior) {
+  return (static_cast<double>(cell.seen) + kPriorLooks * prior) / (static_cast<double>(cell.looks) + kPriorLooks);
+}
+
+/// What a range has to show is expected of those beyond it, as far as they have shown nothing themselves.
+double CoverageMap::priorOf(int bin) const {
+  constexpr float kPlenty = 32.0F;
+  const auto ring = [&](int b) -> const Cell& { return cells_[indexOf(kLevels - 1, 0, b)]; };
+  int first = bin;
+  while (first > 0 && ring(first).looks < kPlenty) --first;
+  double chance = kFirstGuess;
+  for (int b = first; b < bin; ++b) chance = after(ring(b), chance);
+  return chance;
+}
+
+double CoverageMap::detection(double range, double azimuth) const {
+  const int sector = tws::sectorOf(azimuth), bin = binOf(range);
+  double chance = priorOf(bin);
+  for (int level = kLevels - 1; level >= 0; --level) chance = after(cells_[indexOf(level, sector, bin)], chance);
+  return chance;
+}
+
+void CoverageMap::addPlot(double range, double chance_false) {
+  while (range >= kBins * bin_) widen();
+  farthest_ = std::max(farthest_, range);
+  false_plots_[static_cast<std::size_t>(binOf(range))] += chance_false;
+}
+
+/// False plots come from just within the farthest plot and none from beyond it, where so many were to be expected.
+bool CoverageMap::isBeyond(double range) const {
+  constexpr double kEnough = 3.0, kEdge = 0.9;
+  if (range <= farthest_) return false;
+  const int first = binOf(kEdge * farthest_), last = std::min(binOf(farthest_), kBins - 1);
+  double plots = 0.0;
+  for (int bin = first; bin <= last; ++bin) plots += false_plots_[static_cast<std::size_t>(bin)];
+  const double from = first * bin_, outside = range * range - farthest_ * farthest_;
+  return plots * outside > kEnough * (farthest_ * farthest_ - from * from);
+}
+
+bool CoverageMap::isBlind(double range, double azimuth) const {
+  return isBeyond(range) || detection(range, azimuth) < kBlind;
+}
+
+}  // namespace adit_tracker

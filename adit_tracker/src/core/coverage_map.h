@@ -1,0 +1,62 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include <tws_core/sectors.h>
+
+namespace adit_tracker {
+
+/// What a radar covers: its chance of detection over range and azimuth, learned from firm tracks that its beam meets,
+/// and the range beyond which it sees nothing.
+///
+/// A cell is a sector wide and as deep as a 64th of the range covered; when a plot comes from beyond, two become one.
+/// What lies beyond all of them is one cell. A cell that has shown little leans on the same ranges of 4, of 16 and of
+/// all sectors, whose word weighs as much as four looks, and these on the ranges before them: so a few tracks that
+/// leave teach the radar's greatest range, and many a blind sector. Old looks are forgotten as new ones come. While the
+/// radar sees little anywhere, misses count little: it may be off.
+///
+/// Where false plots come from all ranges, the greatest range shows sooner: none come from beyond it.
+///
+/// Cost: four cells a look, and a few more for a place about which little is known.
+class CoverageMap {
+ public:
+  CoverageMap();
+
+  /// A beam has met a target there, and seen it with this chance; `weight`: the chance that there was one.
+  void look(double range, double azimuth, double seen, double weight);
+  /// A plot has come from that range [m], and is false with this chance.
+  void addPlot(double range, double chance_false);
+
+  /// The chance of detection there.
+  double detection(double range, double azimuth) const;
+  /// Does the radar see hardly anything there?
+  bool isBlind(double range, double azimuth) const;
+  /// Has the beam met any target yet?
+  bool hasLooked() const { return has_looked_; }
+
+ private:
+  static constexpr int kBins = 64, kLevels = 4;  // cells of 1, 4, 16, 64 sectors
+  struct Cell {
+    float seen = 0.0F, looks = 0.0F;
+  };
+
+  static double after(const Cell& cell, double prior);
+  double priorOf(int bin) const;
+  int binOf(double range) const;
+  static std::size_t indexOf(int level, int sector, int bin) {
+    const auto row = static_cast<std::size_t>(level) * tws::kSectors + static_cast<std::size_t>(sector >> (2 * level));
+    return row * (kBins + 1) + static_cast<std::size_t>(bin);
+  }
+  void widen();
+  bool isBeyond(double range) const;
+
+  double bin_;                               // depth of one [m]
+  double farthest_ = 0.0;                    // of all plots [m]
+  std::array<double, kBins> false_plots_{};  // since the start, by bin
+  bool has_looked_ = false;
+  double everywhere_;        // share of the latest looks that saw something
+  std::vector<Cell> cells_;  // by level, sector and bin, of which the last is all that lies beyond
+};
+
+}  // namespace adit_tracker
