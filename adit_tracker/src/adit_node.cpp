@@ -2,6 +2,7 @@
 
 #include <tws_msgs/ClutterMap.h>
 #include <tws_msgs/PlotFates.h>
+#include <tws_msgs/RadarMap.h>
 #include <tws_msgs/Tracks.h>
 #include <tws_runtime/conversions.h>
 #include <tws_runtime/radar_inputs.h>
@@ -15,6 +16,7 @@
 #include "core/adit.h"
 #include "elevation/elevation_interface.h"
 #include "iff/iff_interface.h"
+#include "io/radar_map_message.h"
 #include "io/radar_sites.h"
 #include "io/status_report.h"
 #include "io/track_messages.h"
@@ -30,6 +32,7 @@ using tws_runtime::RadarInputs;
 
 // Of the reference radar: there the report sets its status words (ELEV).
 constexpr std::int64_t kStatusSector = 61;
+constexpr std::int64_t kMapScans = 4;  // of a radar, between two of its maps
 
 }  // namespace
 
@@ -40,6 +43,7 @@ class AditNode::Impl {
         params_(readNodeParams(bus)),
         tracks_(bus, "~tracks", params_.frame),
         clutter_(bus.advertise<tws_msgs::ClutterMap>("~clutter_map", true)),
+        maps_(bus.advertise<tws_msgs::RadarMap>("~radar_maps")),
         status_(bus.advertise<tws_msgs::TrackerStatus>("~status")),
         elevation_(bus, params_.adit),
         operators_(bus, params_.frame, params_.point_topic, operatorHost()),
@@ -155,6 +159,7 @@ class AditNode::Impl {
     }
     tracks_.publish(message);
     if (message.sector == 0) publishClutter(report);
+    if (report.running % (kMapScans * tws::kSectors) == 0) publishRadarMap(report);
     elevation_.afterSector(*adit_, report);
   }
 
@@ -172,6 +177,14 @@ class AditNode::Impl {
     message.header.frame_id = inputs_.frame(report.radar);
     message.tracker = bus_.name();
     clutter_.publish(message);
+  }
+
+  void publishRadarMap(const SectorReport& report) {
+    tws_msgs::RadarMap message = radarMapMessage(*adit_, report.radar);
+    message.header.stamp = tws_runtime::toTime(report.enter_time);
+    message.header.frame_id = inputs_.frame(report.radar);
+    message.tracker = bus_.name();
+    maps_.publish(message);
   }
 
   NodeState state(ros::Time now) {
@@ -193,6 +206,7 @@ class AditNode::Impl {
   NodeParams params_;
   tws_runtime::TrackWriter tracks_;
   tws_runtime::Publisher<tws_msgs::ClutterMap> clutter_;
+  tws_runtime::Publisher<tws_msgs::RadarMap> maps_;
   tws_runtime::Publisher<tws_msgs::TrackerStatus> status_;
   tws_runtime::Publisher<tws_msgs::PlotFates> fates_;
   ElevationInterface elevation_;

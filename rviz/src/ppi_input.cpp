@@ -1,5 +1,6 @@
 #include "ppi_input.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <stdexcept>
@@ -74,6 +75,17 @@ BeamMark beamMark(const tws_msgs::SectorMark& mark) {
 PlotMark plotMark(const tws_msgs::Detection& detection, const PlanarFrame& site) {
   return {detection.stamp.toSec(), polarPosition(detection.range, detection.azimuth, site),
           detection.azimuth + site.turn};
+}
+
+RadarCells radarCells(const tws_msgs::RadarMap& map, const PlanarFrame& site) {
+  const std::size_t cells = static_cast<std::size_t>(map.bins) * tws_msgs::RadarMap::SECTORS;
+  if (!std::isfinite(map.depth) || map.depth <= 0.0) throw std::invalid_argument("depth is not greater than 0");
+  if (map.false_plots.size() != cells || map.blind.size() != cells)
+    throw std::invalid_argument("there are not bins * 64 values of false_plots and blind");
+  if (std::any_of(map.false_plots.begin(), map.false_plots.end(),
+                  [](float f) { return !std::isfinite(f) || f < 0.0f; }))
+    throw std::invalid_argument("false_plots is not finite or below 0");
+  return {site, map.depth, map.bins, map.false_plots, map.blind};
 }
 
 Eigen::Vector2d clutterPosition(const tws_msgs::ClutterPoint& point, const PlanarFrame& site) {

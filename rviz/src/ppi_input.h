@@ -4,6 +4,7 @@
 #include <tws_msgs/ClutterMap.h>
 #include <tws_msgs/CorrelatedTrack.h>
 #include <tws_msgs/Detection.h>
+#include <tws_msgs/RadarMap.h>
 #include <tws_msgs/SectorMark.h>
 #include <tws_msgs/SsrPlot.h>
 #include <tws_msgs/Track.h>
@@ -14,6 +15,7 @@
 #include "fading_detections.h"
 #include "identities.h"
 #include "planar_frame.h"
+#include "radar_cells.h"
 #include "sweep.h"
 #include "track_picture.h"
 
@@ -27,6 +29,9 @@ BeamMark beamMark(const tws_msgs::SectorMark& mark);
 
 /// The slant range is laid on the ground, as on every PPI.
 PlotMark plotMark(const tws_msgs::Detection& detection, const PlanarFrame& site);
+
+/// Throws std::invalid_argument also when there are not as many values as cells.
+RadarCells radarCells(const tws_msgs::RadarMap& map, const PlanarFrame& site);
 
 Eigen::Vector2d clutterPosition(const tws_msgs::ClutterPoint& point, const PlanarFrame& site);
 

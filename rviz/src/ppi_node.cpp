@@ -3,6 +3,7 @@
 #include <tf2/exceptions.h>
 #include <tws_msgs/CorrelatedTracks.h>
 #include <tws_msgs/Detections.h>
+#include <tws_msgs/RadarMap.h>
 #include <tws_msgs/SsrPlots.h>
 #include <tws_msgs/Tracks.h>
 #include <tws_msgs/Truth.h>
@@ -51,6 +52,8 @@ class PpiNode::Impl {
                                                     [this, i](const auto& tracks) { onCorrelator(i, tracks); });
     if (!params_.clutter_topic.empty())
       intake_.subscribe<tws_msgs::ClutterMap>({params_.clutter_topic}, [this](const auto& map) { onClutter(map); });
+    if (!params_.maps_topic.empty())
+      intake_.subscribe<tws_msgs::RadarMap>({params_.maps_topic}, [this](const auto& map) { onMap(map); });
     if (params_.truth)
       intake_.subscribe<tws_msgs::Truth>({params_.truth_topic}, [this](const auto& truth) { onTruth(truth); });
     drawBackground();
@@ -132,6 +135,11 @@ class PpiNode::Impl {
                  });
   }
 
+  void onMap(const tws_msgs::RadarMap& map) {
+    applyInFrame({"radar maps", params_.maps_topic, map.header},
+                 [&](const Origin&, const PlanarFrame& site) { picture_.setCells(map.radar, radarCells(map, site)); });
+  }
+
   void onTruth(const tws_msgs::Truth& truth) {
     applyInFrame({"truth", params_.truth_topic, truth.header}, [&](const Origin& origin, const PlanarFrame& frame) {
       std::vector<Eigen::Vector2d> positions;
@@ -208,7 +216,10 @@ class PpiNode::Impl {
     missing_frames_.clear();
   }
 
-  void drawBackground() { background_screen_.show(picture_.background(), ros::Time()); }
+  void drawBackground() {
+    background_screen_.show(picture_.background(), ros::Time());
+    maps_screen_.show(picture_.maps(), ros::Time());
+  }
 
   void drawFast() {
     watchTime(bus_.now());
@@ -233,6 +244,7 @@ class PpiNode::Impl {
 
   // From the bottom to the top.
   Screen background_screen_{bus_, params_.frame, "ppi", "background", 0.0, true};
+  Screen maps_screen_{bus_, params_.frame, "ppi", "maps", 0.5};
   Screen sweep_screen_{bus_, params_.frame, "ppi", "sweep", 1.0};
   Screen detection_screen_{bus_, params_.frame, "ppi", "detections", 2.0};
   Screen clutter_screen_{bus_, params_.frame, "ppi", "clutter", 3.0};

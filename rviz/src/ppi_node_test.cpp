@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 #include <tws_msgs/Detections.h>
+#include <tws_msgs/RadarMap.h>
 #include <tws_msgs/SectorMark.h>
 #include <tws_msgs/Tracks.h>
 #include <tws_runtime/local_graph.h>
@@ -51,10 +52,23 @@ TEST(PpiNode, CountsBadInputAndGoesOn) {
   mark.header.frame_id = "map";
   mark.sector = 200;
   marks.publish(mark);
+  tws_msgs::RadarMap map;
+  map.header.frame_id = "map";
+  map.radar = "sps12";
+  map.depth = 1e3;
+  map.bins = 2;
+  map.false_plots.resize(128);
+  auto maps = radar.advertise<tws_msgs::RadarMap>("/adit/radar_maps");
+  maps.publish(map);  // Without `blind`.
+  map.blind.resize(128);
+  maps.publish(map);
+  map.radar = "nosuch";
+  maps.publish(map);
   graph.drain();
 
   EXPECT_EQ(count(graph, "refused detections"), 1u);
   EXPECT_EQ(count(graph, "refused sector marks"), 1u);
+  EXPECT_EQ(count(graph, "refused radar maps"), 2u);
 }
 
 // If this fails, one stamp that was damaged on its way clears the picture, or removes a radar from then on.

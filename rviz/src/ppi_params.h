@@ -45,6 +45,7 @@ struct PpiParams {
   double persistence_scans = 2.0;         // scans after which a detection has faded
   TrackLook tracks;
   std::string clutter_topic = "adit/clutter_map";  // empty: none
+  std::string maps_topic = "adit/radar_maps";      // empty: none
   bool legend = true;                              // what the symbols mean
   bool truth = false;
   std::string truth_topic = "truth";

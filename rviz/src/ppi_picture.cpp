@@ -1,6 +1,7 @@
 #include "ppi_picture.h"
 
 #include <algorithm>
+#include <stdexcept>
 
 #include "background.h"
 #include "legend.h"
@@ -68,6 +69,19 @@ Drawing PpiPicture::detections(double time) const {
   Drawing drawing;
   for (const Radar& radar : radars_)
     radar.detections.draw(drawing, time, persistence(radar), style_.plot, radar.params.color);
+  return drawing;
+}
+
+void PpiPicture::setCells(const std::string& radar, RadarCells cells) {
+  const auto is_it = [&](const Radar& known) { return known.params.name == radar; };
+  if (std::none_of(radars_.begin(), radars_.end(), is_it))
+    throw std::invalid_argument("the picture has no radar '" + radar + "'");
+  cells_[radar] = std::move(cells);
+}
+
+Drawing PpiPicture::maps() const {
+  Drawing drawing;
+  for (const auto& entry : cells_) addRadarCells(drawing, entry.second, style_);
   return drawing;
 }
 

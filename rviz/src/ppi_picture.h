@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <map>
 #include <optional>
 #include <set>
 #include <string>
@@ -11,6 +12,7 @@
 #include "planar_frame.h"
 #include "ppi_params.h"
 #include "ppi_style.h"
+#include "radar_cells.h"
 #include "status_board.h"
 #include "sweep.h"
 #include "track_picture.h"
@@ -39,12 +41,16 @@ class PpiPicture {
   void add(const IdentityPlot& plot) { identities_.add(plot); }
   /// The whole clutter map of `time`, or all true positions.
   void setClutter(double time, std::vector<ClutterMark> marks) { clutter_ = {time, std::move(marks)}; }
+  /// What a tracker has learned of the radar of that name: it stays until the next one.
+  /// Throws std::invalid_argument when it is none of the picture's.
+  void setCells(const std::string& radar, RadarCells cells);
   void setTruth(double time, std::vector<Eigen::Vector2d> positions) { truth_ = {time, std::move(positions)}; }
 
   /// Where a radar stands, by its name; nothing: no mark of it came yet, or it is none of the picture's.
   std::optional<PlanarFrame> siteOf(const std::string& radar) const;
 
   Drawing background() const;
+  Drawing maps() const;
   Drawing sweeps(double time) const;
   Drawing detections(double time) const;
   Drawing clutter(double time) const;
@@ -81,6 +87,7 @@ class PpiPicture {
   TrackPicture tracks_;
   Identities identities_;
   std::vector<std::optional<double>> latest_;  // of each tracker: when it published last [s]
+  std::map<std::string, RadarCells> cells_;    // by radar
   Snapshot<ClutterMark> clutter_;
   Snapshot<Eigen::Vector2d> truth_;
 };

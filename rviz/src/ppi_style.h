@@ -36,6 +36,7 @@ struct PpiStyle {
   Rgba ordered{0.25f, 0.80f, 1.0f, 1.0f};  // marks of what an operator has ordered
   Rgba iff{0.45f, 1.0f, 0.45f, 1.0f};      // mark of tracks that answer interrogations
   Rgba clutter{0.75f, 0.50f, 0.28f, 1.0f};
+  Rgba blind{0.35f, 0.35f, 0.50f, 0.25f};  // where a radar sees hardly anything
   Rgba truth{0.80f, 0.30f, 0.80f, 1.0f};
 };
 

@@ -1,0 +1,27 @@
+#include "io/radar_map_message.h"
+
+#include <tws_core/sectors.h>
+
+namespace adit_tracker {
+
+tws_msgs::RadarMap radarMapMessage(const Adit& adit, std::size_t radar) {
+  constexpr int kBins = 32;
+  constexpr double kSquareMetresPerSquareKilometre = 1e6;
+  const RadarQuality& quality = adit.radars().quality(radar);
+  tws_msgs::RadarMap message;
+  message.radar = adit.params().radars[radar].name;
+  message.bins = kBins;
+  message.depth = quality.falsePlotMap().greatestRange() / kBins;
+  for (int sector = 0; sector < tws::kSectors; ++sector) {
+    const double azimuth = tws::sectorStart(sector) + 0.5 * tws::kSectorWidth;
+    for (int bin = 0; bin < kBins; ++bin) {
+      const double range = (bin + 0.5) * message.depth;
+      const double density = quality.falsePlotMap().density(range, azimuth);
+      message.false_plots.push_back(static_cast<float>(density * kSquareMetresPerSquareKilometre));
+      message.blind.push_back(quality.coverage().hasLooked() && quality.coverage().isBlind(range, azimuth));
+    }
+  }
+  return message;
+}
+
+}  // namespace adit_tracker
