@@ -9,6 +9,7 @@
 #include <fstream>
 #include <iostream>
 #include <limits>
+#include <map>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -246,6 +247,16 @@ std::string epochsProblem(const std::string& text) {
   return good ? "" : "wants a number from 0.001 to 1000000, not " + text;
 }
 
+/// Throws std::invalid_argument when two options name one file.
+void checkOutputs(const std::vector<std::pair<std::string, std::string>>& outputs) {
+  std::map<std::string, std::string> named;  // by whole path
+  for (const auto& [option, path] : outputs) {
+    if (path.empty()) continue;
+    const auto [other, is_new] = named.try_emplace(std::filesystem::weakly_canonical(path).string(), option);
+    if (!is_new) throw std::invalid_argument(other->second + " and " + option + " name the same file");
+  }
+}
+
 /// Exit status when there is nothing to run: 0 after --help, 2 after bad usage, said in one line.
 std::optional<int> parse(Options& options, int argc, char** argv) {
   CLI::App app("Tracks the plots of a CSV file (columns t_s,radar,range_m,az_deg) by the ADIT tracker.", "adit_csv");
@@ -270,7 +281,8 @@ std::optional<int> parse(Options& options, int argc, char** argv) {
   try {
     app.parse(argc, argv);
     options.radars = parseRadars(radars);
-    if (options.plots == options.tracks) throw std::invalid_argument("--plots and --tracks name the same file");
+    checkOutputs(
+        {{"--tracks", options.tracks}, {"--plots", options.plots}, {"--save-clutter-map", options.save_clutter_map}});
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 2;
   } catch (const std::invalid_argument& error) {

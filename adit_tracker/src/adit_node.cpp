@@ -44,6 +44,7 @@ class AditNode::Impl {
         tracks_(bus, "~tracks", params_.frame),
         clutter_(bus.advertise<tws_msgs::ClutterMap>("~clutter_map", true)),
         maps_(bus.advertise<tws_msgs::RadarMap>("~radar_maps")),
+        fates_(bus.advertise<tws_msgs::PlotFates>("~plot_fates")),
         status_(bus.advertise<tws_msgs::TrackerStatus>("~status")),
         elevation_(bus, params_.adit),
         operators_(bus, params_.frame, params_.point_topic, operatorHost()),
@@ -61,7 +62,6 @@ class AditNode::Impl {
               iff_.beginNewRun(time);
               begin();
             }) {
-    if (params_.plot_fates) fates_ = bus.advertise<tws_msgs::PlotFates>("~plot_fates");
     begin();
     bus.diagnose("tracker", [this] { return diagnosisOf(*adit_, state(bus_.now())); });
   }
@@ -207,8 +207,8 @@ class AditNode::Impl {
   tws_runtime::TrackWriter tracks_;
   tws_runtime::Publisher<tws_msgs::ClutterMap> clutter_;
   tws_runtime::Publisher<tws_msgs::RadarMap> maps_;
-  tws_runtime::Publisher<tws_msgs::TrackerStatus> status_;
   tws_runtime::Publisher<tws_msgs::PlotFates> fates_;
+  tws_runtime::Publisher<tws_msgs::TrackerStatus> status_;
   ElevationInterface elevation_;
   OperatorInterface operators_;
   ClutterInterface clutter_interface_;

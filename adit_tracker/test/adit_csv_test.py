@@ -311,8 +311,9 @@ class AditCsv(unittest.TestCase):
 
     def test_both_results_cannot_be_one_file(self):
         self.write(plots())
-        done = self.start("--detections", self.detections, "--tracks", self.tracks, "--plots", self.tracks)
-        self.assertEqual((done.returncode, done.stderr), (2, "adit_csv: --plots and --tracks name the same file\n"))
+        for option, path in (("--plots", self.tracks), ("--plots", f"{self.folder.name}/./tracks.csv"), ("--save-clutter-map", self.tracks)):
+            done = self.start("--detections", self.detections, "--tracks", self.tracks, option, path)
+            self.assertEqual((done.returncode, done.stderr), (2, f"adit_csv: --tracks and {option} name the same file\n"))
 
     # If this fails, files whose time is that of the day or of the epoch 1970 take hours.
     def test_epochs_begin_with_the_plots(self):

@@ -4,6 +4,7 @@
 
 #include <tws_core/angles.h>
 #include <tws_core/sectors.h>
+#include <tws_core/units.h>
 
 namespace tws_rviz {
 namespace {
@@ -11,7 +12,8 @@ namespace {
 /// 20 cells of 5 km in each sector, in which nothing is known.
 RadarCells quiet() {
   RadarCells cells;
-  cells.site = {{10e3, -5e3}, tws::radians(90.0)};
+  cells.site.origin = Eigen::Vector2d(10e3, -5e3);
+  cells.site.turn = tws::radians(90.0);
   cells.depth = 5e3;
   cells.bins = 20;
   cells.false_plots.assign(64 * 20, 0.0006f);

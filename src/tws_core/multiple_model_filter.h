@@ -32,8 +32,8 @@ struct MultipleModelParams {
   std::vector<Place> sites;
 };
 
-/// Interacting multiple models (Blom & Bar-Shalom 1988) on the plane: straight flight, turn to the right, turn to the
-/// left, each a Kalman filter. It removes the pass-course effect of filters in polar coordinates and follows turns
+/// Interacting multiple models (Blom & Bar-Shalom 1988) on the plane: straight flight, turn to the left, turn to the
+/// right, each a Kalman filter. It removes the pass-course effect of filters in polar coordinates and follows turns
 /// without being noisy in between.
 class MultipleModelFilter {
  public:
@@ -79,7 +79,7 @@ class MultipleModelFilter {
 
   /// Chance that the target flies straight now, 0..1.
   double straightProbability() const { return probability_[0]; }
-  /// The same of straight flight, a turn to the right, and one to the left.
+  /// The same of straight flight, a turn to the left (anticlockwise), and one to the right.
   const std::array<double, 3>& probabilities() const { return probability_; }
 
  private:

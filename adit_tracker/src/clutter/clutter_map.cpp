@@ -93,6 +93,7 @@ void ClutterMap::take(ClutterPoint& point, Detection& detection, std::size_t rad
   ++point.hits;
   if (absorbs) {
     detection.use();
+    detection.absorbed = true;
     ++absorbed_;
   } else {
     detection.claim = point.number;

@@ -18,23 +18,6 @@ AditParams checked(const AditParams& params) {
   return params;
 }
 
-/// What correlation and clutter map have made of a detection.
-PlotFate fateSoFar(const Detection& detection) {
-  PlotFate fate{detection.plot, PlotFate::kLeft, 0, detection.left, detection.claims};
-  if (detection.used && detection.left == 0.0) fate.kind = PlotFate::kClutter;
-  for (const PlotClaim& claim : detection.claims) {
-    if (!claim.took) continue;
-    fate.kind = PlotFate::kUpdated;
-    fate.uid = claim.uid;
-  }
-  return fate;
-}
-
-void start(PlotFate& fate, std::uint32_t uid) {
-  fate.kind = PlotFate::kStarted;
-  fate.uid = uid;
-}
-
 /// The radar that updated a track last: at another site, it may be the only one that detects it.
 std::size_t latestOf(const Track& track, std::size_t radars) {
   const auto end = track.updated.begin() + static_cast<std::ptrdiff_t>(radars);
@@ -112,20 +95,16 @@ void Adit::skip() {
   }
 }
 
-void Adit::tellPlots(PlotSink sink) {
-  plot_sink_ = std::move(sink);
+void Adit::tellPlots(PlotTeller::Sink sink) {
+  teller_.start(std::move(sink), radars_.size());
   correlator_.keepClaims();
 }
 
 void Adit::finish() {
   order_.finish();
   while (step()) continue;
-  for (std::size_t radar = 0; plot_sink_ && radar < radars_.size(); ++radar) {
-    fates_ = {radar, order_.newest(radar), {}};
-    for (const Detection& d : radars_.at(radar).detections.at(fates_.running).detections)
-      fates_.plots.push_back(fateSoFar(d));
-    if (!fates_.plots.empty()) plot_sink_(fates_);
-  }
+  for (std::size_t radar = 0; teller_.isOn() && radar < radars_.size(); ++radar)
+    teller_.tellBefore(radar, radars_.at(radar).detections, order_.newest(radar) + 1);
 }
 
 /// Figure 3 of the report: one sector of the radar whose data are the oldest.
@@ -163,7 +142,9 @@ void Adit::pass(const tws::SectorRef& sector, bool map_clutter) {
   tracks_.markSkipped();
   ++counts_.skipped_sectors;
   if (map_clutter) mapClutter({sector.radar, sector.running + kClutterAhead});
-  for (Detection& detection : radars_.at(sector.radar).detections.at(sector.running).detections) detection.use();
+  DetectionFile& detections = radars_.at(sector.radar).detections;
+  if (teller_.isOn()) teller_.tellBefore(sector.radar, detections, sector.running);
+  for (Detection& detection : detections.at(sector.running).detections) detection.use();
   primary_.clear();
   meeting_.list(sector, primary_);
   for (const auto slot : primary_) {
@@ -312,21 +293,22 @@ void Adit::initiate(const tws::SectorRef& sector) {
   constexpr double kRatherNew = 0.97;
   const std::int64_t behind = sector.running - kInitiationBehind;
   RadarState& radar = radars_.at(sector.radar);
-  fates_ = {sector.radar, behind, {}};
+  if (teller_.isOn()) teller_.tellBefore(sector.radar, radar.detections, behind);
+  const bool tells = teller_.isOn() && radar.detections.at(behind).running == behind && behind >= 0;
   for (Detection& detection : radar.detections.at(behind).detections) {
     TrackFile::Slot track = detection.taker;
-    if (plot_sink_) fates_.plots.push_back(fateSoFar(detection));
+    if (tells) teller_.add(detection);
     if (!detection.used && detection.left > kRatherNew && !detection.isTaken()) {
       detection.used = true;
       track = startTrackOrBranch(sector, detection);
-      if (plot_sink_ && track != Detection::kNoTaker) start(fates_.plots.back(), tracks_.at(track).uid);
+      if (tells && track != Detection::kNoTaker) teller_.started(tracks_.at(track).uid);
       if (detection.claim == Detection::kNoClaim) clutter_.initiate(detection.plot, sector.radar);
     }
     detection.used = true;
     if (detection.left > 0.0) learnFalse({sector.radar, behind}, detection, track);
   }
   radar.quality.falsePlotMap().close(tws::Antenna::sectorNumber(behind));
-  if (plot_sink_) plot_sink_(fates_);
+  if (tells) teller_.tell(sector.radar, behind);
 }
 
 /// As far as no track has made it, a plot is false. `slot`: of the track that has taken it or begins with it;
@@ -335,7 +317,7 @@ void Adit::learnFalse(const tws::SectorRef& sector, const Detection& detection, 
   radars_.at(sector.radar)
       .quality.falsePlotMap()
       .add(tws::Antenna::sectorNumber(sector.running), detection.plot.range, detection.left);
-  radars_.quality(sector.radar).coverage().addPlot(detection.plot.range, detection.left);
+  radars_.quality(sector.radar).coverage().addPlot(detection.plot.range, detection.plot.azimuth, detection.left);
   if (slot == Detection::kNoTaker || tracks_.file().sector(slot, siteOf(sector)) < 0) return;
   Track& track = tracks_.at(slot);
   if (track.firm || track.updated[sector.radar] != detection.plot.time) return;

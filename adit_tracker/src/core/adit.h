@@ -34,7 +34,6 @@ constexpr std::int64_t kSectorsAhead = kClutterAhead + 1;
 class Adit {
  public:
   using Sink = std::function<void(const SectorReport&)>;
-  using PlotSink = std::function<void(const SectorFates&)>;
 
   /// Throws std::invalid_argument (see check). `sink` is called for every sector processed; it may be empty.
   Adit(const AditParams& params, Sink sink);
@@ -62,7 +61,7 @@ class Adit {
 
   /// From now on, `sink` is told what became of the plots of each sector, which is known one sector later. It costs
   /// time for every track that a plot may belong to.
-  void tellPlots(PlotSink sink);
+  void tellPlots(PlotTeller::Sink sink);
 
   /// For operators.
   ManualControl& manual() { return manual_; }
@@ -102,7 +101,7 @@ class Adit {
 
   AditParams params_;
   Sink sink_;
-  PlotSink plot_sink_;
+  PlotTeller teller_;
   AditCounts counts_;
   Radars radars_;
   tws::SectorOrder order_;
@@ -120,7 +119,6 @@ class Adit {
   // Of the sector being processed; kept to save allocations.
   Slots primary_, secondary_;
   std::vector<PlotChance> plots_;
-  SectorFates fates_;  // of the sector of initiation
 };
 
 /// Takes a sector in and processes what has become ready, for a caller that may be away for long.

@@ -39,7 +39,8 @@ struct Correlation {
   bool weighed = false;
   std::size_t first = 0, last = 0;  // which ones, in Correlator::chances()
   double missed = 0.0;              // chance that the target made none of them, if there is one
-  double existence = 0.0;           // chance that there is a target
+  double existence = 0.0;           // chance that there is a target …
+  double unhidden = 0.0;            // … as far as none is hidden in another one's plot
   std::size_t cluster = 0;          // the same for tracks that compete, directly or through others
 };
 

@@ -175,6 +175,7 @@ void ClusterWeigher::settle(const Run& run, std::size_t number, const Outcome& o
     chances_.push_back({plots_[pairings_[i].plot], pairings_[i].chance / outcome.existence});
   result.last = chances_.size();
   result.existence = (outcome.existence + outcome.hidden) / (1.0 + outcome.hidden);
+  result.unhidden = outcome.existence;
   result.missed = outcome.missed / outcome.existence;
   result.cluster = roots_[number];
   run.correlations.push_back(result);

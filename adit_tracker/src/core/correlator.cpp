@@ -256,7 +256,7 @@ void Correlator::noteClaims(const TrackFile& tracks) const {
     const std::uint32_t uid = tracks.at(c.slot).uid;
     for (std::size_t i = c.first; i < c.last; ++i) {
       const PlotChance& plot = chances()[i];
-      claimOf(*plot.detection, uid).chance = static_cast<float>(plot.chance * c.existence);
+      claimOf(*plot.detection, uid).chance = static_cast<float>(plot.chance * c.unhidden);
     }
     if (c.detection == nullptr) continue;
     PlotClaim& claim = claimOf(*c.detection, uid);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numeric>
 
 namespace adit_tracker {
 namespace {
@@ -28,8 +30,11 @@ int CoverageMap::binOf(double range) const {
 /// Two bins become one; what lay beyond has yet to show.
 void CoverageMap::widen() {
   bin_ *= 2.0;
-  for (std::size_t bin = 0; bin < kBins; ++bin)
-    false_plots_[bin] = bin < kBins / 2 ? false_plots_[2 * bin] + false_plots_[2 * bin + 1] : 0.0;
+  outside_ = 0;
+  for (auto& plots : false_plots_) {
+    for (std::size_t bin = 0; bin < kBins; ++bin)
+      plots[bin] = bin < kBins / 2 ? plots[2 * bin] + plots[2 * bin + 1] : 0.0;
+  }
   for (int row = 0; row < kLevels * tws::kSectors; ++row) {
     Cell* const bins = &cells_[static_cast<std::size_t>(row * (kBins + 1))];
     for (int bin = 0; bin < kBins; ++bin) {
@@ -79,25 +84,33 @@ double CoverageMap::detection(double range, double azimuth) const {
   return chance;
 }
 
-void CoverageMap::addPlot(double range, double chance_false) {
+void CoverageMap::addPlot(double range, double azimuth, double chance_false) {
+  constexpr int kSome = 3;  // plots from beyond: a single one may be mad
+  if (range >= kBins * bin_ && ++outside_ < kSome) return;
   while (range >= kBins * bin_) widen();
   farthest_ = std::max(farthest_, range);
-  false_plots_[static_cast<std::size_t>(binOf(range))] += chance_false;
+  if (chance_false > 0.5) farthest_false_ = std::max(farthest_false_, range);
+  const auto quadrant = static_cast<std::size_t>(tws::sectorOf(azimuth) * kQuadrants / tws::kSectors);
+  false_plots_[quadrant][static_cast<std::size_t>(binOf(range))] += chance_false;
 }
 
-/// False plots come from just within the farthest plot and none from beyond it, where so many were to be expected.
+/// False plots come from just within the farthest plot, in all quadrants, and none from beyond it, where so many were
+/// to be expected. Where tracks come from farther than false plots do, that shows nothing.
 bool CoverageMap::isBeyond(double range) const {
-  constexpr double kEnough = 3.0, kEdge = 0.9;
-  if (range <= farthest_) return false;
+  constexpr double kEnough = 3.0, kEdge = 0.9, kNearly = 0.99;
+  if (range <= farthest_ || farthest_false_ < kNearly * farthest_) return false;
   const int first = binOf(kEdge * farthest_), last = std::min(binOf(farthest_), kBins - 1);
-  double plots = 0.0;
-  for (int bin = first; bin <= last; ++bin) plots += false_plots_[static_cast<std::size_t>(bin)];
+  double plots = std::numeric_limits<double>::infinity();
+  for (const auto& quadrant : false_plots_) {
+    const auto begin = quadrant.begin();
+    plots = std::min(plots, kQuadrants * std::accumulate(begin + first, begin + last + 1, 0.0));
+  }
   const double from = first * bin_, outside = range * range - farthest_ * farthest_;
   return plots * outside > kEnough * (farthest_ * farthest_ - from * from);
 }
 
 bool CoverageMap::isBlind(double range, double azimuth) const {
-  return isBeyond(range) || detection(range, azimuth) < kBlind;
+  return isBeyond(range) || (has_looked_ && detection(range, azimuth) < kBlind);
 }
 
 }  // namespace adit_tracker

@@ -16,19 +16,20 @@ namespace adit_tracker {
 /// leave teach the radar's greatest range, and many a blind sector. Old looks are forgotten as new ones come. While the
 /// radar sees little anywhere, misses count little: it may be off.
 ///
-/// Where false plots come from all ranges, the greatest range shows sooner: none come from beyond it.
+/// Where false plots come from all ranges and sides, the greatest range shows sooner: none come from beyond it.
 ///
-/// Cost: four cells a look, and a few more for a place about which little is known.
+/// Cost: four cells a look; to ask, four, and those before it as far as little is known of them: at most 64 more.
 class CoverageMap {
  public:
   CoverageMap();
 
-  /// A beam has met a target there, and seen it with this chance; `weight`: the chance that there was one.
+  /// A beam has met a target at that range [m] and azimuth [rad, 0 to 2π), and seen it with this chance; `weight`: the
+  /// chance that there was one. Both 0 to 1.
   void look(double range, double azimuth, double seen, double weight);
-  /// A plot has come from that range [m], and is false with this chance.
-  void addPlot(double range, double chance_false);
+  /// A plot has come from there, and is false with this chance.
+  void addPlot(double range, double azimuth, double chance_false);
 
-  /// The chance of detection there.
+  /// The chance of detection there, 0 to 1.
   double detection(double range, double azimuth) const;
   /// Does the radar see hardly anything there?
   bool isBlind(double range, double azimuth) const;
@@ -37,6 +38,7 @@ class CoverageMap {
 
  private:
   static constexpr int kBins = 64, kLevels = 4;  // cells of 1, 4, 16, 64 sectors
+  static constexpr int kQuadrants = 4;
   struct Cell {
     float seen = 0.0F, looks = 0.0F;
   };
@@ -51,9 +53,10 @@ class CoverageMap {
   void widen();
   bool isBeyond(double range) const;
 
-  double bin_;                               // depth of one [m]
-  double farthest_ = 0.0;                    // of all plots [m]
-  std::array<double, kBins> false_plots_{};  // since the start, by bin
+  double bin_;                                    // depth of one [m]
+  int outside_ = 0;                               // plots from beyond all bins
+  double farthest_ = 0.0, farthest_false_ = 0.0;  // of all plots, and of those that are rather false [m]
+  std::array<std::array<double, kBins>, kQuadrants> false_plots_{};  // since the start, by quadrant and bin
   bool has_looked_ = false;
   double everywhere_;        // share of the latest looks that saw something
   std::vector<Cell> cells_;  // by level, sector and bin, of which the last is all that lies beyond

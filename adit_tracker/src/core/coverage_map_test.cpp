@@ -17,7 +17,7 @@ class CoverageMapTest : public testing::Test {
   /// A target that is met every 2 km up to `to`, and seen up to `seen`.
   void flyOut(double azimuth, double seen, double to) {
     for (double range = 20e3; range < to; range += 2e3) {
-      if (range < seen) map_.addPlot(range, 0.0);
+      if (range < seen) map_.addPlot(range, azimuth, 0.0);
       map_.look(range, azimuth, range < seen ? 1.0 : 0.0, 1.0);
     }
   }
@@ -76,16 +76,34 @@ TEST_F(CoverageMapTest, WhatIsSeenAgainIsCovered) {
 
 // 20 a scan, evenly over the disk, show in ten scans that nothing comes from 103 km.
 TEST_F(CoverageMapTest, FalsePlotsShowTheGreatestRangeBeforeAnyTrackDoes) {
-  for (int i = 0; i < 200; ++i) map_.addPlot(100e3 * std::sqrt(tws::uniform(generator_, 0.0, 1.0)), 1.0);
+  for (int i = 0; i < 200; ++i) map_.addPlot(100e3 * std::sqrt(tws::uniform(generator_, 0.0, 1.0)), anyAzimuth(), 1.0);
   EXPECT_TRUE(map_.isBlind(103e3, 1.0));
   EXPECT_FALSE(map_.isBlind(99e3, 1.0));
 }
 
-// If this fails, the aircraft that flies out farthest ends at its first miss.
-TEST_F(CoverageMapTest, PlotsOfTargetsOrOfClutterCloseByShowNoGreatestRange) {
-  for (int i = 0; i < 2000; ++i) map_.addPlot(20e3 * std::sqrt(tws::uniform(generator_, 0.0, 1.0)), 1.0);
-  for (double range = 50e3; range < 100e3; range += 500.0) map_.addPlot(range, 1e-4);
-  EXPECT_FALSE(map_.isBlind(103e3, 1.0));
+// The first aircraft to fly out of clutter that lies all around. If this fails, it ends at its first miss.
+TEST_F(CoverageMapTest, WhereTargetsComeFromFartherThanFalsePlotsThatShowsNothing) {
+  for (int i = 0; i < 2000; ++i) map_.addPlot(90e3 * std::sqrt(tws::uniform(generator_, 0.0, 1.0)), anyAzimuth(), 1.0);
+  for (double range = 91.0e3; range < 120e3; range += 500.0) {
+    map_.addPlot(range, 2.0, 1e-4);
+    EXPECT_FALSE(map_.isBlind(range + 1e3, 2.0)) << range;
+  }
+}
+
+// If this fails, what flies on beyond a shower ends there.
+TEST_F(CoverageMapTest, AShowerOnOneSideShowsNothing) {
+  for (int i = 0; i < 2000; ++i)
+    map_.addPlot(tws::uniform(generator_, 60e3, 90e3), tws::uniform(generator_, 1.0, 1.7), 1.0);
+  EXPECT_FALSE(map_.isBlind(92e3, 1.3));
+  EXPECT_FALSE(map_.isBlind(92e3, 4.0));
+}
+
+// If this fails, one plot of a radar's fault makes all that was learned of it too coarse to be of use.
+TEST_F(CoverageMapTest, OneMadRangeChangesNothing) {
+  map_.addPlot(5e6, 1.0, 1.0);
+  for (int i = 0; i < 15; ++i) flyOut(anyAzimuth(), 100e3, 106e3);
+  EXPECT_FALSE(map_.isBlind(95e3, 1.0));
+  EXPECT_TRUE(map_.isBlind(104e3, 1.0));
 }
 
 }  // namespace

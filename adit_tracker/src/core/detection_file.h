@@ -15,6 +15,7 @@ namespace adit_tracker {
 struct Detection {
   tws::Plot plot;
   bool used = false;               // by a track or the clutter map: it is out of the file (NB is one less)
+  bool absorbed = false;           // by the clutter map
   double left = 1.0;               // chance that nothing so far has made it: no track, no clutter point
   double fresh = 1.0;              // chance that it is no stray plot of a track that was missed
   std::uint64_t flagged_in = 0;    // the correlation run in which it proved closer to a track in a secondary sector
@@ -113,8 +114,9 @@ class DetectionFile {
   /// An empty sector with running -1 when it is not there (never received, or too old).
   DetectionSector& at(std::int64_t running);
 
+  static constexpr std::int64_t kKept = 128;  // sectors: two scans
+
  private:
-  static constexpr std::int64_t kKept = 128;  // two turns
   std::vector<DetectionSector> sectors_;
   DetectionSector empty_;
 };

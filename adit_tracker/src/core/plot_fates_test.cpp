@@ -67,6 +67,32 @@ TEST_P(PlotFatesOfBothSets, EachPlotHasOneFateAndAskingChangesNone) {
             asked.listener.of(TrackEvent::kStarted).size() - asked.listener.adit.counts().to_track);
 }
 
+// A minute's sectors come at once and are passed over; then all goes on. If this fails, plots that nobody looked at are
+// told as clutter, twice or not at all.
+TEST_P(PlotFatesOfBothSets, SkippedPlotsAreToldAsSuch) {
+  RadarSectors radars = busySky();
+  Asked asked(params());
+  Adit& adit = asked.listener.adit;
+  std::vector<std::pair<double, std::pair<std::size_t, std::size_t>>> order;
+  for (std::size_t r = 0; r < 2; ++r) {
+    for (std::size_t i = 0; i < radars[r].size(); ++i) order.push_back({radars[r][i].leave_time, {r, i}});
+  }
+  std::sort(order.begin(), order.end());
+  for (const auto& [time, place] : order) {
+    adit.add(place.first, radars[place.first][place.second]);
+    if (time > 120.0 && time < 180.0) continue;
+    if (adit.order().waiting() > 64) adit.skip();
+    while (adit.step()) continue;
+  }
+  adit.finish();
+  std::size_t absorbed = 0;
+  for (const ClutterMap& map : adit.clutter().maps()) absorbed += map.absorbed();
+  EXPECT_EQ(asked.fates.size(), plotsIn(radars));
+  EXPECT_NEAR(static_cast<double>(asked.count(PlotFate::kSkipped)), plotsIn(radars) / 5.0, plotsIn(radars) / 15.0);
+  EXPECT_LE(asked.count(PlotFate::kClutter), absorbed);
+  EXPECT_GT(asked.count(PlotFate::kClutter) + 5, absorbed) << "some may have been skipped afterwards";
+}
+
 // If this fails, the reason that is given for a plot names another track than the one that took it.
 TEST_P(PlotFatesOfBothSets, APlotThatUpdatedATrackNamesItAndItsClaim) {
   Asked asked(params());

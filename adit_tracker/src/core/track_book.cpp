@@ -163,11 +163,13 @@ bool TrackBook::updateWeighed(const Correlation& c, const std::vector<PlotChance
     drop(c.slot, time);
     return false;
   }
-  if (detected && c.detection != nullptr) {
-    reportUpdate(c.slot, time, c.detection->plot);
-  } else {
-    report_.updates.push_back(TrackUpdate{c.slot, detected ? TrackEvent::kUpdated : TrackEvent::kCoasted, time});
+  if (!detected) {
+    report_.updates.push_back(TrackUpdate{c.slot, TrackEvent::kCoasted, time});
+    return true;
   }
+  const auto less = [](const PlotChance& a, const PlotChance& b) { return a.chance < b.chance; };
+  const Detection& likeliest = *std::max_element(plots.begin(), plots.end(), less)->detection;
+  reportUpdate(c.slot, time, c.detection ? c.detection->plot : likeliest.plot);
   return true;
 }
 
@@ -195,7 +197,14 @@ void TrackBook::reportUpdate(Slot slot, double time, const tws::Plot& plot) {
 /// What a firm track shows of the radar whose beam has met it.
 void TrackBook::look(const Track& track, RadarQuality& quality, double seen) const {
   if (longest_gap_ > 0.0 && track.firm)
-    quality.coverage().look(track.predicted.range, track.predicted.azimuth, seen, track.existence);
+    quality.coverage().look(track.predicted.range, track.predicted.azimuth, seen, judge_.chanceOf(track));
+}
+
+/// It has met nothing yet, or sent nothing for so long that it will not see the track again in time.
+bool TrackBook::isSilent(std::size_t radar, double time) const {
+  const tws::Antenna& antenna = radars_.antenna(radar);
+  return !radars_.quality(radar).coverage().hasLooked() || !antenna.known() ||
+         antenna.timeAt(tws::Antenna::startOf(antenna.newest())) < time - longest_gap_;
 }
 
 /// Does no radar see a target there, nor where it will be in the next while?
@@ -205,8 +214,8 @@ bool TrackBook::leavesCover(const Track& track, double time) const {
   for (double ahead = 0.0; ahead <= longest_gap_; ahead += kStep) {
     for (std::size_t radar = 0; radar < radars_.size(); ++radar) {
       const ApparentPosition there = apparentPosition(track, radar, time + ahead);
-      const CoverageMap& coverage = radars_.quality(radar).coverage();
-      if (coverage.hasLooked() && !coverage.isBlind(there.range, there.azimuth)) return false;
+      if (!isSilent(radar, time) && !radars_.quality(radar).coverage().isBlind(there.range, there.azimuth))
+        return false;
     }
   }
   return true;

@@ -115,6 +115,7 @@ class TrackBook {
   bool showsErrors(const Track& track, const tws::Plot& plot) const;
   ApparentPosition apparentPosition(const Track& track, std::size_t radar, double time) const;
   void look(const Track& track, RadarQuality& quality, double seen) const;
+  bool isSilent(std::size_t radar, double time) const;
   bool leavesCover(const Track& track, double time) const;
   bool outOfReach(const Track& track, const RadarQuality& quality) const;
   void doubtOtherSites(Track& track, std::size_t radar) const;

@@ -30,6 +30,10 @@ class TrackJudge {
   /// The beam has passed at `time`, and what was found may have been this track's target or another one.
   void unresolved(Track& track, double time) const;
 
+  /// That it follows a target, 0 to 1; a track that lives by timers is taken to.
+  double chanceOf(const Track& track) const {
+    return params_.life == TrackLife::kTimers ? 1.0 : static_cast<double>(track.existence);
+  }
   /// Firm, and not in doubt.
   bool confirmed(const Track& track) const {
     return track.firm && (params_.life == TrackLife::kTimers || track.existence >= params_.existence.doubt_probability);

@@ -16,6 +16,8 @@ const char* nameOf(PlotFate::Kind kind) {
       return "started";
     case PlotFate::kClutter:
       return "clutter";
+    case PlotFate::kSkipped:
+      return "skipped";
     case PlotFate::kLeft:
       break;
   }

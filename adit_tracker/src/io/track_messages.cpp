@@ -54,8 +54,8 @@ void setCovariance(tws_msgs::Track& message, const tws::PlanarMotion& p, const S
 void setOutputs(tws_msgs::Track& message, const Adit& adit, const Track& track) {
   if (adit.params().life == TrackLife::kExistence) message.existence = track.existence;
   if (const auto* turning = std::get_if<tws::MultipleModelFilter>(&track.filter)) {
-    const auto& p = turning->probabilities();
-    message.model_probabilities.assign(p.begin(), p.end());
+    const auto& [straight, left, right] = turning->probabilities();
+    message.model_probabilities = {static_cast<float>(straight), static_cast<float>(right), static_cast<float>(left)};
   }
 }
 
@@ -67,6 +67,8 @@ std::uint8_t numberOf(PlotFate::Kind kind) {
       return tws_msgs::PlotFate::STARTED;
     case PlotFate::kClutter:
       return tws_msgs::PlotFate::CLUTTER;
+    case PlotFate::kSkipped:
+      return tws_msgs::PlotFate::SKIPPED;
     case PlotFate::kLeft:
       break;
   }

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "core/adit_test_helpers.h"
@@ -49,6 +50,31 @@ TEST(TrackMessage, TheFirstDetectionIsTheOneThatStartedTheTrackAlsoFromClutter) 
     EXPECT_TRUE(detected) << message.first_detection;
     EXPECT_EQ(message.first_detection, message.last_update);
     EXPECT_EQ(message.radar_updates, std::vector<ros::Time>{message.first_detection});
+  }
+}
+
+// If this fails, a display shows an aircraft that turns to the left as one that turns to the right.
+TEST(TrackMessage, TellsATurnToTheRightAsOne) {
+  for (const double turn_rate : {0.03, -0.03}) {  // clockwise, to the right
+    const TestRadar radar(6.0);
+    RadarSectors radars = {radar.sectors(0.0, 120.0)};
+    double x = 20e3, y = 40e3, course = 0.0;
+    for (double t = 0.0; t < 120.0; t += 1.0) {
+      const double vx = 200.0 * std::sin(course), vy = 200.0 * std::cos(course);
+      radar.see({x - vx * t, y - vy * t, vx, vy, t, t + 1.0 - 1e-9}, radars[0]);
+      x += vx;
+      y += vy;
+      if (t > 50.0) course += turn_rate;
+    }
+    tws_msgs::Track last;
+    Adit* tracker = nullptr;
+    Adit adit(paramsFor("default", {6.0}), [&](const SectorReport& report) {
+      for (const TrackUpdate& update : report.updates) last = trackMessage(*tracker, update, Site{});
+    });
+    tracker = &adit;
+    feedInOrder(adit, radars);
+    ASSERT_EQ(last.model_probabilities.size(), 3U);
+    EXPECT_GT(last.model_probabilities[turn_rate > 0.0 ? 1 : 2], 0.6F) << turn_rate;
   }
 }
 
