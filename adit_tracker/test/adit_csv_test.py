@@ -311,7 +311,8 @@ class AditCsv(unittest.TestCase):
 
     def test_both_results_cannot_be_one_file(self):
         self.write(plots())
-        for option, path in (("--plots", self.tracks), ("--plots", f"{self.folder.name}/./tracks.csv"), ("--save-clutter-map", self.tracks)):
+        same = f"{self.folder.name}/./tracks.csv"
+        for option, path in (("--plots", self.tracks), ("--plots", same), ("--save-clutter-map", self.tracks)):
             done = self.start("--detections", self.detections, "--tracks", self.tracks, option, path)
             self.assertEqual((done.returncode, done.stderr), (2, f"adit_csv: --tracks and {option} name the same file\n"))
 
