@@ -36,7 +36,8 @@ bool isSame(const Rgba& a, const Rgba& b) { return a.r == b.r && a.g == b.g && a
 void addRadarCells(Drawing& drawing, const RadarCells& cells, const PpiStyle& style) {
   for (int sector = 0; sector < tws::kSectors; ++sector) {
     const auto shade = [&](int bin) {
-      const auto i = static_cast<std::size_t>(sector * cells.bins + bin);
+      const auto i =
+          static_cast<std::size_t>(sector) * static_cast<std::size_t>(cells.bins) + static_cast<std::size_t>(bin);
       return shadeOf(cells.false_plots[i], cells.blind[i] != 0, style);
     };
     for (int from = 0, to = 0; from < cells.bins; from = to) {

@@ -36,7 +36,7 @@ void CoverageMap::widen() {
       plots[bin] = bin < kBins / 2 ? plots[2 * bin] + plots[2 * bin + 1] : 0.0;
   }
   for (int row = 0; row < kLevels * tws::kSectors; ++row) {
-    Cell* const bins = &cells_[static_cast<std::size_t>(row * (kBins + 1))];
+    Cell* const bins = &cells_[static_cast<std::size_t>(row) * (kBins + 1)];
     for (int bin = 0; bin < kBins; ++bin) {
       Cell sum;
       for (int half = 2 * bin; half < std::min(2 * bin + 2, kBins); ++half) {
