@@ -159,13 +159,11 @@ def seen_again(run, reference, topic, uids, interval):
 
 
 def found_again(run, reference, topic, before, after):
-    """Targets on which the reference has a firm track in both intervals [s of data time]: lost are those where the run has none after. They
-    are sought anew, which takes a minute for the faintest: as in `count_alike`, one in ten may be missing still."""
+    """Targets on which the reference has a firm track in both intervals [s of data time]: lost are those where the run has none after."""
     before, after = (tuple(reference.begin + t for t in interval) for interval in (before, after))
     wanted = alive(reference.firm[topic], *before) & alive(reference.firm[topic], *after)
     seen = seen_again(run, reference, topic, wanted, after)
-    lost = len(wanted - seen) if len(seen) < 0.9 * len(wanted) else 0
-    return Outcome(len(wanted), lost, f"{len(seen)}/{len(wanted)} targets on {topic}")
+    return Outcome(len(wanted), len(wanted - seen), f"{len(seen)}/{len(wanted)} targets on {topic}")
 
 
 def count_alike(run, reference, topic, interval):
