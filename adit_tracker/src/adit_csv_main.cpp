@@ -148,11 +148,7 @@ class Run {
   }
 
   bool hasFirmTracks() const { return adit_.counts().tracks_firm > 0; }
-  std::uint64_t absorbed() const {
-    std::uint64_t sum = 0;
-    for (const ClutterMap& map : adit_.clutter().maps()) sum += map.absorbed();
-    return sum;
-  }
+  std::uint64_t absorbed() const { return adit_.clutter().absorbed(); }
   std::vector<ClutterPlace> clutter() const { return adit_.clutter().places(); }
 
   void summary(const PlotTable& table) const {

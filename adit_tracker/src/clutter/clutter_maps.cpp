@@ -79,6 +79,12 @@ std::size_t ClutterMaps::loadInto(std::size_t map, double time) {
   return refused;
 }
 
+std::uint64_t ClutterMaps::absorbed() const {
+  std::uint64_t sum = 0;
+  for (const ClutterMap& map : maps_) sum += map.absorbed();
+  return sum;
+}
+
 std::vector<ClutterPlace> ClutterMaps::places() const {
   std::vector<ClutterPlace> places;
   for (std::size_t map = 0; map < maps_.size(); ++map) {

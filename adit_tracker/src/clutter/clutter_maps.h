@@ -32,6 +32,8 @@ class ClutterMaps {
   bool loadAwaited(std::size_t radar, double time);
 
   const std::vector<ClutterMap>& maps() const { return maps_; }
+  /// Detections that points of any map have taken out of the file.
+  std::uint64_t absorbed() const;
   /// The points that are surely clutter (ClutterMap::known), by radar and azimuth: what load() takes.
   std::vector<ClutterPlace> places() const;
 

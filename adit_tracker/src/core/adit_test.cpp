@@ -26,8 +26,7 @@ TEST_P(BothSets, OneAircraftSeenByTwoRadarsIsOneFirmTrackUpdatedByEveryPlot) {
   const auto updates = listener.of(TrackEvent::kUpdated);
   const auto own = static_cast<std::size_t>(
       std::count_if(updates.begin(), updates.end(), [&](const RecordedUpdate& w) { return w.uid == uid; }));
-  std::size_t absorbed = 0;
-  for (const ClutterMap& map : listener.adit.clutter().maps()) absorbed += map.absorbed();
+  const std::size_t absorbed = listener.adit.clutter().absorbed();
   // Every plot starts a track, updates one, or goes into the clutter map; the letter's map takes some of an aircraft's.
   // A point that is found to move then starts one more.
   const std::size_t started = listener.of(TrackEvent::kStarted).size() - listener.adit.counts().to_track;

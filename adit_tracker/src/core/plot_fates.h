@@ -22,14 +22,14 @@ struct PlotClaim {
 
 /// What became of a plot.
 struct PlotFate {
-  enum Kind {
-    kUpdated,  // it went to a track
-    kStarted,  // it started one
-    kClutter,  // a clutter point took it
+  enum Kind {  // in the order of the constants of tws_msgs/PlotFate
     // Nobody took it: it is rather a track's that took another plot, or as much one track's as another's. Or there was
     // no number left for a new track, or a pause followed.
     kLeft,
-    kSkipped  // nobody looked at it: the tracker was behind
+    kUpdated,  // it went to a track
+    kStarted,  // it started one
+    kClutter,  // a clutter point took it
+    kSkipped   // nobody looked at it: the tracker was behind
   };
   tws::Plot plot;
   Kind kind;

@@ -60,8 +60,7 @@ TEST_P(PlotFatesOfBothSets, EachPlotHasOneFateAndAskingChangesNone) {
   std::set<std::tuple<double, double, double>> places;
   for (const PlotFate& fate : asked.fates) places.insert({fate.plot.time, fate.plot.range, fate.plot.azimuth});
   EXPECT_EQ(places.size(), plotsIn(radars));
-  std::size_t absorbed = 0;
-  for (const ClutterMap& map : asked.listener.adit.clutter().maps()) absorbed += map.absorbed();
+  const std::size_t absorbed = asked.listener.adit.clutter().absorbed();
   EXPECT_EQ(asked.count(PlotFate::kClutter), absorbed);
   EXPECT_EQ(asked.count(PlotFate::kStarted),
             asked.listener.of(TrackEvent::kStarted).size() - asked.listener.adit.counts().to_track);
@@ -85,8 +84,7 @@ TEST_P(PlotFatesOfBothSets, SkippedPlotsAreToldAsSuch) {
     while (adit.step()) continue;
   }
   adit.finish();
-  std::size_t absorbed = 0;
-  for (const ClutterMap& map : adit.clutter().maps()) absorbed += map.absorbed();
+  const std::size_t absorbed = adit.clutter().absorbed();
   EXPECT_EQ(asked.fates.size(), plotsIn(radars));
   EXPECT_NEAR(static_cast<double>(asked.count(PlotFate::kSkipped)), plotsIn(radars) / 5.0, plotsIn(radars) / 15.0);
   EXPECT_LE(asked.count(PlotFate::kClutter), absorbed);

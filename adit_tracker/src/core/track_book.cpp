@@ -2,21 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include <tws_core/angles.h>
 #include <tws_core/sectors.h>
 
 namespace adit_tracker {
-
-namespace {
-
-void tell(TrackUpdate& update, const tws::Plot& plot) {
-  update.plot_range = plot.range;
-  update.plot_azimuth = plot.azimuth;
-}
-
-}  // namespace
 
 TrackBook::TrackBook(const AditParams& params, Radars& radars, AditCounts& counts)
     : learn_noise_(params.learn_noise),
@@ -93,9 +83,8 @@ void TrackBook::start(Slot slot, std::size_t radar, const tws::Plot* plot, doubl
   track.updated[radar] = track.first_time;
   track.illuminated[radar] = unwrapped_azimuth;
   track.detected_by = static_cast<std::uint16_t>(1U << radar);
-  TrackUpdate update{slot, TrackEvent::kStarted, track.first_time};
-  if (plot != nullptr) tell(update, *plot);
-  report_.updates.push_back(update);
+  report_.updates.emplace_back(slot, TrackEvent::kStarted, track.first_time);
+  if (plot != nullptr) report_.updates.back() = {slot, TrackEvent::kStarted, track.first_time, *plot};
 }
 
 void TrackBook::branch(Track& track, const Parting& parting, std::size_t radar) {
@@ -134,7 +123,7 @@ void TrackBook::update(Slot slot, const tws::SectorRef& sector, RadarQuality& qu
   const double own = track.firm ? 0.0 : track.counted_false[sector.radar];
   const double false_density = quality.falsePlotMap().densityAround(own, plot.range, plot.azimuth);
   if (judge_.updated(track, sector.radar, log_likelihood, false_density, !disputed)) becomeFirm(slot);
-  reportUpdate(slot, track.smoothed.time, plot);
+  report_.updates.push_back({slot, TrackEvent::kUpdated, track.smoothed.time, plot});
 }
 
 bool TrackBook::updateWeighed(const Correlation& c, const std::vector<PlotChance>& plots, const tws::SectorRef& sector,
@@ -164,12 +153,12 @@ bool TrackBook::updateWeighed(const Correlation& c, const std::vector<PlotChance
     return false;
   }
   if (!detected) {
-    report_.updates.push_back(TrackUpdate{c.slot, TrackEvent::kCoasted, time});
+    report_.updates.push_back({c.slot, TrackEvent::kCoasted, time});
     return true;
   }
   const auto less = [](const PlotChance& a, const PlotChance& b) { return a.chance < b.chance; };
   const Detection& likeliest = *std::max_element(plots.begin(), plots.end(), less)->detection;
-  reportUpdate(c.slot, time, c.detection ? c.detection->plot : likeliest.plot);
+  report_.updates.push_back({c.slot, TrackEvent::kUpdated, time, c.detection ? c.detection->plot : likeliest.plot});
   return true;
 }
 
@@ -185,13 +174,7 @@ void TrackBook::share(Slot slot, const tws::SectorRef& sector, const tws::Plot& 
   track.coasting = false;
   track.illuminated[sector.radar] = tws::Antenna::near(plot.azimuth, sector.running);
   track.detected_by = static_cast<std::uint16_t>(track.detected_by | 1U << sector.radar);
-  reportUpdate(slot, std::max(track.smoothed.time, plot.time), plot);
-}
-
-void TrackBook::reportUpdate(Slot slot, double time, const tws::Plot& plot) {
-  TrackUpdate update{slot, TrackEvent::kUpdated, time};
-  tell(update, plot);
-  report_.updates.push_back(update);
+  report_.updates.push_back({slot, TrackEvent::kUpdated, std::max(track.smoothed.time, plot.time), plot});
 }
 
 /// What a firm track shows of the radar whose beam has met it.
@@ -213,9 +196,9 @@ bool TrackBook::leavesCover(const Track& track, double time) const {
   constexpr double kStep = 5.0;  // [s]
   for (double ahead = 0.0; ahead <= longest_gap_; ahead += kStep) {
     for (std::size_t radar = 0; radar < radars_.size(); ++radar) {
+      if (isSilent(radar, time)) continue;
       const ApparentPosition there = apparentPosition(track, radar, time + ahead);
-      if (!isSilent(radar, time) && !radars_.quality(radar).coverage().isBlind(there.range, there.azimuth))
-        return false;
+      if (!radars_.quality(radar).coverage().isBlind(there.range, there.azimuth)) return false;
     }
   }
   return true;

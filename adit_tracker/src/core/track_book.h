@@ -20,6 +20,10 @@ enum class TrackEvent { kStarted, kUpdated, kCoasted, kDropped };
 
 struct TrackUpdate {
   TrackUpdate(TrackFile::Slot of, TrackEvent what, double when) : slot(of), event(what), time(when) {}
+  TrackUpdate(TrackFile::Slot of, TrackEvent what, double when, const tws::Plot& by) : TrackUpdate(of, what, when) {
+    plot_range = by.range;
+    plot_azimuth = by.azimuth;
+  }
 
   TrackFile::Slot slot;
   TrackEvent event;
@@ -110,7 +114,6 @@ class TrackBook {
   const TrackMotion& motion() const { return motion_; }
 
  private:
-  void reportUpdate(Slot slot, double time, const tws::Plot& plot);
   void becomeFirm(Slot slot);
   bool showsErrors(const Track& track, const tws::Plot& plot) const;
   ApparentPosition apparentPosition(const Track& track, std::size_t radar, double time) const;

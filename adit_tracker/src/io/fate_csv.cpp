@@ -8,21 +8,9 @@
 
 namespace adit_tracker {
 
-const char* nameOf(PlotFate::Kind kind) {
-  switch (kind) {
-    case PlotFate::kUpdated:
-      return "updated";
-    case PlotFate::kStarted:
-      return "started";
-    case PlotFate::kClutter:
-      return "clutter";
-    case PlotFate::kSkipped:
-      return "skipped";
-    case PlotFate::kLeft:
-      break;
-  }
-  return "left";
-}
+namespace {
+constexpr const char* kNames[] = {"left", "updated", "started", "clutter", "skipped"};  // by PlotFate::Kind
+}  // namespace
 
 FateCsv::FateCsv(std::ostream& output) : output_(output) {
   output_ << "t_s,radar,range_m,az_deg,fate,track_id,chance_false,claims\n";
@@ -34,7 +22,7 @@ void FateCsv::add(const Adit& adit, const SectorFates& sector) {
     std::snprintf(text, sizeof text, "%.4f,", fate.plot.time);
     output_ << text << adit.params().radars[sector.radar].name;
     std::snprintf(text, sizeof text, ",%.1f,%.4f,%s,", fate.plot.range, tws::degrees(fate.plot.azimuth),
-                  nameOf(fate.kind));
+                  kNames[fate.kind]);
     output_ << text;
     if (fate.uid != 0) output_ << fate.uid;
     std::snprintf(text, sizeof text, ",%.4f,", fate.left);

@@ -18,7 +18,4 @@ class FateCsv {
   std::ostream& output_;
 };
 
-/// As in the column `fate`.
-const char* nameOf(PlotFate::Kind kind);
-
 }  // namespace adit_tracker

@@ -59,28 +59,18 @@ void setOutputs(tws_msgs::Track& message, const Adit& adit, const Track& track) 
   }
 }
 
-std::uint8_t numberOf(PlotFate::Kind kind) {
-  switch (kind) {
-    case PlotFate::kUpdated:
-      return tws_msgs::PlotFate::UPDATED;
-    case PlotFate::kStarted:
-      return tws_msgs::PlotFate::STARTED;
-    case PlotFate::kClutter:
-      return tws_msgs::PlotFate::CLUTTER;
-    case PlotFate::kSkipped:
-      return tws_msgs::PlotFate::SKIPPED;
-    case PlotFate::kLeft:
-      break;
-  }
-  return tws_msgs::PlotFate::LEFT;
-}
+static_assert(int{PlotFate::kLeft} == int{tws_msgs::PlotFate::LEFT} &&
+              int{PlotFate::kUpdated} == int{tws_msgs::PlotFate::UPDATED} &&
+              int{PlotFate::kStarted} == int{tws_msgs::PlotFate::STARTED} &&
+              int{PlotFate::kClutter} == int{tws_msgs::PlotFate::CLUTTER} &&
+              int{PlotFate::kSkipped} == int{tws_msgs::PlotFate::SKIPPED});
 
 tws_msgs::PlotFate fateMessage(const PlotFate& fate) {
   tws_msgs::PlotFate message;
   message.stamp = tws_runtime::toTime(fate.plot.time);
   message.range = fate.plot.range;
   message.azimuth = fate.plot.azimuth;
-  message.fate = numberOf(fate.kind);
+  message.fate = static_cast<std::uint8_t>(fate.kind);
   message.track = fate.uid;
   message.chance_false = static_cast<float>(fate.left);
   for (const PlotClaim& claim : fate.claims) {
