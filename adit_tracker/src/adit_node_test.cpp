@@ -1,6 +1,8 @@
 // The node in one process: operators, status, and what can be wrong with time.
 #include <gtest/gtest.h>
 
+#include <numeric>
+
 #include "adit_node_test_helpers.h"
 
 namespace adit_tracker {
@@ -62,9 +64,9 @@ TEST(AditNode, TracksBearTheirChanceOfExistenceAndOfTheirModels) {
   node.play(radars, 0.0, 60.0);
   for (const auto& [uid, track] : node.picture()) {
     EXPECT_GT(track.existence, 0.97F);
-    ASSERT_EQ(track.model_probabilities.size(), 3U);
+    ASSERT_EQ(track.model_probabilities.size(), 4U);
     EXPECT_GT(track.model_probabilities[0], 0.5F) << "all fly straight";
-    EXPECT_NEAR(track.model_probabilities[0] + track.model_probabilities[1] + track.model_probabilities[2], 1.0, 1e-5);
+    EXPECT_NEAR(std::accumulate(track.model_probabilities.begin(), track.model_probabilities.end(), 0.0), 1.0, 1e-5);
   }
   EXPECT_EQ(node.picture().size(), 8U);
 }

@@ -93,8 +93,10 @@ std::array<Gate, kGates> reportGates() {
 /// Boats and ships, seen by a radar of a harbour or a vessel.
 void makeMarine(AditParams& p) {
   p.turning.turn_rate = tws::radians(6.0);
+  p.turning.turn_rate_sigma = tws::radians(3.0);
   p.turning.straight_acceleration = 0.02;
   p.turning.turning_acceleration = 0.2;
+  p.turning.free_acceleration = 1.0;
   p.turning.assumed_height = 0.0;
   p.turning.manoeuvre_acceleration = 0.5;
   p.turning.speed_sigma = 8.0;
@@ -120,7 +122,6 @@ const std::vector<std::string>& AditParams::sets() {
 
 AditParams AditParams::named(const std::string& name) {
   AditParams p;
-  p.turning.fast_speed_sigma = 220.0;
   p.track_gates = reportGates();
   p.clutter.gate.range = feet(2000.0);
   p.clutter.gate.azimuth = tws::radians(1.4);

@@ -92,14 +92,19 @@ void readFilters(ParameterReader& reader, AditParams& p) {
   alpha_beta.done();
   ParameterReader turning = reader.map("turning");
   scaledNumber(turning, "turn_rate_deg_per_s", p.turning.turn_rate, tws::kRadiansPerDegree, 0.01, 28.0);
+  scaledNumber(turning, "turn_rate_sigma_deg_per_s", p.turning.turn_rate_sigma, tws::kRadiansPerDegree, 0.0, 28.0);
   turning.number("straight_acceleration", p.turning.straight_acceleration, 0.0, 1e6);
   turning.number("turning_acceleration", p.turning.turning_acceleration, 0.0, 1e6);
+  turning.number("free_acceleration", p.turning.free_acceleration, 0.0, 1e6);
   turning.number("straight_time_s", p.turning.straight_time, 0.1, 1e6);
   turning.number("turning_time_s", p.turning.turning_time, 0.1, 1e6);
+  turning.number("free_time_s", p.turning.free_time, 0.1, 1e6);
+  turning.number("free_share", p.turning.free_share, 0.0, 0.9);
   turning.number("assumed_height_m", p.turning.assumed_height, 0.0, 50000.0);
   turning.number("manoeuvre_acceleration", p.turning.manoeuvre_acceleration, 0.0, 1000.0);
   turning.number("speed_sigma_mps", p.turning.speed_sigma, 0.1, 1e5);
   turning.number("fast_speed_sigma_mps", p.turning.fast_speed_sigma, 0.0, 1e5);
+  turning.number("fast_share", p.turning.fast_share, 0.0, 0.5);
   turning.done();
 }
 

@@ -8,116 +8,29 @@ namespace tws {
 namespace {
 
 constexpr double kLogTwoPi = 1.83787706640934548356;
-using States = std::array<PlanarMotion, MultipleModelFilter::kModels>;
+using States = std::array<TurningMotion, MultipleModelFilter::kModels>;
 using Weights = std::array<double, MultipleModelFilter::kModels>;
+enum Model : std::size_t { kStraight, kLeft, kRight, kFree };
 
-/// How position and velocity turn in a time step: p += A v, v = C v, with A = [a -b; b a] and C = [c -d; d c].
-struct Motion {
-  double a, b, c, d;
-};
-
-/// Exact for a constant turn rate [rad/s], anticlockwise positive.
-std::array<Motion, MultipleModelFilter::kModels> motions(double dt, double turn_rate) {
-  const double sine = std::sin(turn_rate * dt), cosine = std::cos(turn_rate * dt);
-  const double a = sine / turn_rate, b = (1.0 - cosine) / turn_rate;
-  return {Motion{dt, 0.0, 1.0, 0.0}, Motion{a, b, cosine, sine}, Motion{a, -b, cosine, -sine}};
+/// Turn rate of a model when its motion begins, anticlockwise positive.
+double firstRate(std::size_t model, const MultipleModelParams& params) {
+  if (model == kLeft) return params.turn_rate;
+  return model == kRight ? -params.turn_rate : 0.0;
 }
 
-void moveMean(PlanarMotion& s, const Motion& m) {
-  const double vx = s.vx, vy = s.vy;
-  s.x += m.a * vx - m.b * vy;
-  s.y += m.b * vx + m.a * vy;
-  s.vx = m.c * vx - m.d * vy;
-  s.vy = m.d * vx + m.c * vy;
+/// The rate of a turn that begins now: nothing is known of it yet.
+void forgetRate(TurningMotion& s, std::size_t model, const MultipleModelParams& params) {
+  const bool turns = model == kLeft || model == kRight;
+  s.rate = firstRate(model, params);
+  s.rate_variance = turns ? params.turn_rate_sigma * params.turn_rate_sigma : 0.0;
+  s.x_rate = s.y_rate = s.vx_rate = s.vy_rate = 0.0;
 }
 
-/// The position's block of F P F' + Q, with Q of white acceleration of density q.
-Symmetric2 movedPosition(const PlanarMotion& s, const Motion& m, double dt, double q) {
-  const double a = m.a, b = m.b, spread = q * dt * dt * dt / 3.0;
-  const Symmetric2& v = s.velocity;
-  // A·V, and (cross)·A'.
-  const double av_xx = a * v.xx - b * v.xy, av_xy = a * v.xy - b * v.yy;
-  const double av_yx = b * v.xx + a * v.xy, av_yy = b * v.xy + a * v.yy;
-  const double ca_xx = a * s.x_vx - b * s.x_vy, ca_xy = b * s.x_vx + a * s.x_vy;
-  const double ca_yx = a * s.y_vx - b * s.y_vy, ca_yy = b * s.y_vx + a * s.y_vy;
-  return {s.position.xx + 2.0 * ca_xx + a * av_xx - b * av_xy + spread,
-          s.position.xy + ca_xy + ca_yx + b * av_xx + a * av_xy,
-          s.position.yy + 2.0 * ca_yy + b * av_yx + a * av_yy + spread};
-}
-
-/// P ← F P F' + Q, block by block.
-void moveCovariance(PlanarMotion& s, const Motion& m, double dt, double q) {
-  s.position = movedPosition(s, m, dt, q);
-  const auto [a, b, c, d] = m;
-  const Symmetric2 v = s.velocity;
-  const double n_xx = s.x_vx + a * v.xx - b * v.xy, n_xy = s.x_vy + a * v.xy - b * v.yy;
-  const double n_yx = s.y_vx + b * v.xx + a * v.xy, n_yy = s.y_vy + b * v.xy + a * v.yy;
-  s.x_vx = c * n_xx - d * n_xy + q * dt * dt / 2.0;
-  s.x_vy = d * n_xx + c * n_xy;
-  s.y_vx = c * n_yx - d * n_yy;
-  s.y_vy = d * n_yx + c * n_yy + q * dt * dt / 2.0;
-  const double cv_xx = c * v.xx - d * v.xy, cv_xy = c * v.xy - d * v.yy;
-  const double cv_yx = d * v.xx + c * v.xy, cv_yy = d * v.xy + c * v.yy;
-  s.velocity = {c * cv_xx - d * cv_xy + q * dt, d * cv_xx + c * cv_xy, d * cv_yx + c * cv_yy + q * dt};
-}
-
-/// A measurement's likelihood is density · exp(-squared_distance / 2) / 2π.
-struct Fit {
-  double squared_distance, density;
-};
-
-/// Kalman update with a position.
-Fit correctModel(PlanarMotion& s, const PlanarPosition& z) {
-  const Symmetric2 S{s.position.xx + z.covariance.xx, s.position.xy + z.covariance.xy, s.position.yy + z.covariance.yy};
-  const double inverse = 1.0 / S.determinant();
-  const Symmetric2 W{S.yy * inverse, -S.xy * inverse, S.xx * inverse};
-  const double nx = z.x - s.x, ny = z.y - s.y;
-  const double d2 = W.xx * nx * nx + 2.0 * W.xy * nx * ny + W.yy * ny * ny;
-  const double h[4][2] = {
-      {s.position.xx, s.position.xy}, {s.position.xy, s.position.yy}, {s.x_vx, s.y_vx}, {s.x_vy, s.y_vy}};
-  double k[4][2];
-  for (int i = 0; i < 4; ++i) {
-    k[i][0] = h[i][0] * W.xx + h[i][1] * W.xy;
-    k[i][1] = h[i][0] * W.xy + h[i][1] * W.yy;
-  }
-  s.x += k[0][0] * nx + k[0][1] * ny;
-  s.y += k[1][0] * nx + k[1][1] * ny;
-  s.vx += k[2][0] * nx + k[2][1] * ny;
-  s.vy += k[3][0] * nx + k[3][1] * ny;
-  const auto shrink = [&](int i, int j) { return k[i][0] * h[j][0] + k[i][1] * h[j][1]; };
-  s.position.xx -= shrink(0, 0);
-  s.position.xy -= shrink(0, 1);
-  s.position.yy -= shrink(1, 1);
-  s.x_vx -= shrink(0, 2);
-  s.x_vy -= shrink(0, 3);
-  s.y_vx -= shrink(1, 2);
-  s.y_vy -= shrink(1, 3);
-  s.velocity.xx -= shrink(2, 2);
-  s.velocity.xy -= shrink(2, 3);
-  s.velocity.yy -= shrink(3, 3);
-  return {d2, std::sqrt(inverse)};
-}
-
-/// Adds weight · (covariance of `from` + spread of its mean about that of `to`) to the covariance of `to`.
-void addSpread(PlanarMotion& to, const PlanarMotion& from, double weight) {
-  const double dx = from.x - to.x, dy = from.y - to.y, dvx = from.vx - to.vx, dvy = from.vy - to.vy;
-  to.position.xx += weight * (from.position.xx + dx * dx);
-  to.position.xy += weight * (from.position.xy + dx * dy);
-  to.position.yy += weight * (from.position.yy + dy * dy);
-  to.x_vx += weight * (from.x_vx + dx * dvx);
-  to.x_vy += weight * (from.x_vy + dx * dvy);
-  to.y_vx += weight * (from.y_vx + dy * dvx);
-  to.y_vy += weight * (from.y_vy + dy * dvy);
-  to.velocity.xx += weight * (from.velocity.xx + dvx * dvx);
-  to.velocity.xy += weight * (from.velocity.xy + dvx * dvy);
-  to.velocity.yy += weight * (from.velocity.yy + dvy * dvy);
-}
-
-void addMean(PlanarMotion& to, const PlanarMotion& from, double weight) {
-  to.x += weight * from.x;
-  to.y += weight * from.y;
-  to.vx += weight * from.vx;
-  to.vy += weight * from.vy;
+/// A turn keeps its side, and no aircraft turns at many times the usual rate.
+void limitRate(TurningMotion& s, std::size_t model, const MultipleModelParams& params) {
+  constexpr double kLeast = 0.15, kMost = 3.0;  // Of the usual one.
+  const double side = model == kLeft ? 1.0 : -1.0;
+  s.rate = side * std::clamp(side * s.rate, kLeast * params.turn_rate, kMost * params.turn_rate);
 }
 
 PlanarMotion meanOf(const States& states, const Weights& weights) {
@@ -132,6 +45,16 @@ PlanarMotion merged(const States& states, const Weights& weights) {
   for (std::size_t i = 0; i < states.size(); ++i) {
     if (weights[i] > 0.0) addSpread(result, states[i], weights[i]);
   }
+  return result;
+}
+
+/// The same of two, with their rates.
+TurningMotion merged(const TurningMotion& a, double weight_a, const TurningMotion& b, double weight_b) {
+  TurningMotion result;
+  addMean(result, a, weight_a);
+  addMean(result, b, weight_b);
+  addSpread(result, a, weight_a);
+  addSpread(result, b, weight_b);
   return result;
 }
 
@@ -154,21 +77,31 @@ double slantAcceleration(const PlanarMotion& s, double dt, const MultipleModelPa
 }
 
 /// Density of the acceleration that each model assumes [m²/s³].
-std::array<double, MultipleModelFilter::kModels> accelerations(const States& states, double dt,
-                                                               const MultipleModelParams& params) {
-  const double slant = slantAcceleration(states[0], dt, params);
-  return {slant + params.straight_acceleration, slant + params.turning_acceleration,
-          slant + params.turning_acceleration};
+Weights accelerations(const States& states, double dt, const MultipleModelParams& params) {
+  const double slant = slantAcceleration(states[kStraight], dt, params);
+  const double turning = slant + params.turning_acceleration;
+  return {slant + params.straight_acceleration, turning, turning, slant + params.free_acceleration};
 }
 
 void move(States& states, double dt, const MultipleModelParams& params) {
-  const auto motion = motions(dt, params.turn_rate);
-  const auto acceleration = accelerations(states, dt, params);
-  for (std::size_t i = 0; i < states.size(); ++i) {
-    moveMean(states[i], motion[i]);
-    moveCovariance(states[i], motion[i], dt, acceleration[i]);
-  }
+  const Weights acceleration = accelerations(states, dt, params);
+  for (std::size_t i = 0; i < states.size(); ++i) advance(states[i], dt, acceleration[i]);
 }
+
+/// Chances that each model takes the place of another within dt: a manoeuvre ends in straight flight.
+struct Transitions {
+  Transitions(double dt, const MultipleModelParams& params)
+      : begin(1.0 - std::exp(-dt / params.straight_time)), free(params.free_share) {
+    const double turned = 1.0 - std::exp(-dt / params.turning_time);
+    end = {0.0, turned, turned, 1.0 - std::exp(-dt / params.free_time)};
+  }
+  /// Share of the manoeuvres that begin so.
+  double share(std::size_t to) const { return to == kFree ? free : 0.5 * (1.0 - free); }
+  double intoStraight(std::size_t from) const { return from == kStraight ? 1.0 - begin : end[from]; }
+
+  double begin, free;
+  Weights end;
+};
 
 /// Squared distance of a measurement from a prediction, in standard deviations.
 double surprise(const PlanarMotion& s, const PlanarPosition& z) {
@@ -194,22 +127,27 @@ void addManoeuvre(PlanarMotion& s, double dt, double acceleration) {
 }  // namespace
 
 void MultipleModelFilter::start(const PlanarPosition& z, const MultipleModelParams& params) {
-  PlanarMotion first;
+  TurningMotion first;
   first.x = z.x;
   first.y = z.y;
   first.position = z.covariance;
   first.velocity = {params.speed_sigma * params.speed_sigma, 0.0, params.speed_sigma * params.speed_sigma};
   state_.fill(first);
+  for (const std::size_t model : {kLeft, kRight, kFree}) forgetRate(state_[model], model, params);
+  const double manoeuvring = params.turning_time / (params.straight_time + params.turning_time);
+  double free = manoeuvring * params.free_share;
+  const double turns = 0.5 * (manoeuvring - free), known = 1.0 - free;
   if (params.fast_speed_sigma > 0.0) {
     const double fast = params.fast_speed_sigma * params.fast_speed_sigma;
-    state_[1].velocity = state_[2].velocity = {fast, 0.0, fast};
+    state_[kFree].velocity = {fast, 0.0, fast};
+    free = params.fast_share;
   }
-  const double straight = params.straight_time / (params.straight_time + params.turning_time);
-  probability_ = {straight, 0.5 * (1.0 - straight), 0.5 * (1.0 - straight)};
+  const double rest = (1.0 - free) / known;
+  probability_ = {(1.0 - manoeuvring) * rest, turns * rest, turns * rest, free};
 }
 
 void MultipleModelFilter::setVelocity(double vx, double vy, const Symmetric2& covariance) {
-  for (PlanarMotion& s : state_) {
+  for (TurningMotion& s : state_) {
     s.vx = vx;
     s.vy = vy;
     s.velocity = covariance;
@@ -217,22 +155,23 @@ void MultipleModelFilter::setVelocity(double vx, double vy, const Symmetric2& co
 }
 
 void MultipleModelFilter::mix(double dt, const MultipleModelParams& params) {
-  const double begin = 1.0 - std::exp(-dt / params.straight_time), end = 1.0 - std::exp(-dt / params.turning_time);
-  // A turn ends in straight flight; it does not change its side.
-  const double transition[kModels][kModels] = {
-      {1.0 - begin, 0.5 * begin, 0.5 * begin}, {end, 1.0 - end, 0.0}, {end, 0.0, 1.0 - end}};
-  States mixed;
-  Weights next;
-  for (std::size_t to = 0; to < kModels; ++to) {
-    Weights weight;
-    double sum = 0.0;
-    for (std::size_t from = 0; from < kModels; ++from) sum += weight[from] = transition[from][to] * probability_[from];
-    for (double& w : weight) w /= sum;
-    next[to] = sum;
-    mixed[to] = merged(state_, weight);
+  const Transitions transitions(dt, params);
+  const States before = state_;
+  Weights weight;
+  for (std::size_t i = 0; i < kModels; ++i) weight[i] = transitions.intoStraight(i) * probability_[i];
+  const double straight = weight[0] + weight[1] + weight[2] + weight[3];
+  for (double& w : weight) w /= straight;
+  static_cast<PlanarMotion&>(state_[kStraight]) = merged(before, weight);
+  for (const std::size_t model : {kLeft, kRight, kFree}) {
+    const double began = transitions.begin * transitions.share(model) * probability_[kStraight];
+    const double lasts = (1.0 - transitions.end[model]) * probability_[model];
+    if (began + lasts == 0.0) continue;  // There is no such model.
+    TurningMotion fresh = before[kStraight];
+    forgetRate(fresh, model, params);
+    state_[model] = merged(before[model], lasts / (began + lasts), fresh, began / (began + lasts));
+    probability_[model] = began + lasts;
   }
-  state_ = mixed;
-  probability_ = next;
+  probability_[kStraight] = straight;
 }
 
 double MultipleModelFilter::update(const PlanarPosition& z, double dt, const MultipleModelParams& params) {
@@ -247,18 +186,25 @@ double MultipleModelFilter::correctBy(const PlanarPosition& z, double dt, const 
       params.manoeuvre_acceleration > 0.0 &&
       std::all_of(state_.begin(), state_.end(), [&](const PlanarMotion& s) { return surprise(s, z) > kSurprise; });
   if (manoeuvre) {
-    for (PlanarMotion& s : state_) addManoeuvre(s, dt, params.manoeuvre_acceleration);
+    for (TurningMotion& s : state_) addManoeuvre(s, dt, params.manoeuvre_acceleration);
   }
-  std::array<Fit, kModels> fit{};
-  for (std::size_t i = 0; i < kModels; ++i) fit[i] = correctModel(state_[i], z);
+  std::array<MeasurementFit, kModels> fit{};
+  for (std::size_t i = 0; i < kModels; ++i) fit[i] = correct(state_[i], z);
+  if (params.turn_rate_sigma > 0.0) {
+    for (const std::size_t model : {kLeft, kRight}) limitRate(state_[model], model, params);
+  }
   // All against the best fit, or a measurement far from every model would give 0 / 0.
-  const double least = std::min({fit[0].squared_distance, fit[1].squared_distance, fit[2].squared_distance});
+  double least = fit[kStraight].squared_distance;
+  for (const MeasurementFit& f : fit) least = std::min(least, f.squared_distance);
+  const Weights before = probability_;
   double sum = 0.0;
   for (std::size_t i = 0; i < kModels; ++i) {
     sum += probability_[i] *= fit[i].density * std::exp(0.5 * (least - fit[i].squared_distance));
   }
-  // A floor keeps a model from dying for good by underflow.
-  for (double& p : probability_) p = std::max(p / sum, 1e-12);
+  // A floor keeps a model, where there is such a one, from dying for good by underflow.
+  for (std::size_t i = 0; i < kModels; ++i) {
+    if (before[i] > 0.0) probability_[i] = std::max(probability_[i] / sum, 1e-12);
+  }
   return std::log(sum) - 0.5 * least - kLogTwoPi + (manoeuvre ? kLogManoeuvre : 0.0);
 }
 
@@ -285,7 +231,8 @@ void MultipleModelFilter::update(const std::vector<Weighed>& measurements, doubl
 void MultipleModelFilter::merge(const std::vector<MultipleModelFilter>& cases, std::size_t model) {
   double sum = 0.0;
   for (const auto& c : cases) sum += c.probability_[model];
-  PlanarMotion result;
+  if (sum == 0.0) return;
+  TurningMotion result;
   for (const auto& c : cases) addMean(result, c.state_[model], c.probability_[model] / sum);
   for (const auto& c : cases) {
     const double weight = c.probability_[model] / sum;
@@ -296,7 +243,7 @@ void MultipleModelFilter::merge(const std::vector<MultipleModelFilter>& cases, s
 }
 
 void MultipleModelFilter::shift(double dx, double dy) {
-  for (PlanarMotion& state : state_) {
+  for (TurningMotion& state : state_) {
     state.x += dx;
     state.y += dy;
   }
@@ -311,14 +258,12 @@ PlanarMotion MultipleModelFilter::predict(double dt, const MultipleModelParams& 
 }
 
 PlanarPosition MultipleModelFilter::predictPosition(double dt, const MultipleModelParams& params) const {
-  const auto motion = motions(dt, params.turn_rate);
-  const auto acceleration = accelerations(state_, dt, params);
+  const Weights acceleration = accelerations(state_, dt, params);
   std::array<PlanarPosition, kModels> moved;
   PlanarPosition result;
   for (std::size_t i = 0; i < kModels; ++i) {
-    const PlanarMotion& s = state_[i];
-    moved[i] = {s.x + motion[i].a * s.vx - motion[i].b * s.vy, s.y + motion[i].b * s.vx + motion[i].a * s.vy,
-                movedPosition(s, motion[i], dt, acceleration[i])};
+    if (probability_[i] == 0.0) continue;
+    moved[i] = advancedPosition(state_[i], dt, acceleration[i]);
     result.x += probability_[i] * moved[i].x;
     result.y += probability_[i] * moved[i].y;
   }

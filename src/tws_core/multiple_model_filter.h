@@ -4,27 +4,35 @@
 #include <cstddef>
 #include <vector>
 
-#include <tws_core/planar_gaussian.h>
+#include <tws_core/turning_motion.h>
 #include <tws_core/units.h>
 
 namespace tws {
 
 /// What the filter assumes. One set serves all tracks.
 struct MultipleModelParams {
-  double turn_rate = radians(2.2);     // Of the turning models, one each way [rad/s], (0, 0.5].
-  double straight_acceleration = 0.2;  // White acceleration density of the straight model [m²/s³].
-  double turning_acceleration = 15.0;  // The same of the turning models.
-  double straight_time = 100.0;        // Mean time between turns [s].
-  double turning_time = 30.0;          // Mean time of a turn [s].
+  // Of a turn that begins, one model each way [rad/s], (0, 0.5]; its standard deviation, 0: all turns are alike. In the
+  // turn the rate is estimated.
+  double turn_rate = radians(2.2);
+  double turn_rate_sigma = radians(0.9);
+  double straight_acceleration = 0.07;  // White acceleration density of the straight model [m²/s³].
+  double turning_acceleration = 3.0;    // The same of the turning models,
+  double free_acceleration = 60.0;      // and of the model of any other motion: changes of speed, hard turns.
+  double straight_time = 250.0;         // Mean time between manoeuvres [s].
+  double turning_time = 30.0;           // Mean time of a turn [s],
+  double free_time = 20.0;              // and of any other motion.
+  double free_share = 0.05;             // Of manoeuvres, those that are no turns [0, 1); 0: without that model.
   // A 2-D radar sees slant range: close to it, straight flight at a height looks accelerated on the plane. The height
   // [m] that is assumed for that, 0: the plane is all there is.
   double assumed_height = 10000.0;
   // A measurement that no model explains is taken for a hard manoeuvre of this acceleration (standard deviation, each
   // axis) [m/s²]; 0: never.
-  double manoeuvre_acceleration = 10.0;
+  double manoeuvre_acceleration = 20.0;
   double speed_sigma = 150.0;  // Of each velocity component before it is known [m/s].
-  // The same in the turning models, so that the mixture of all is not blind to what is much faster; 0: `speed_sigma`.
-  double fast_speed_sigma = 0.0;
+  // The same of what is much faster, in the model of any other motion; 0: nothing is. And the share of new targets
+  // that may be so.
+  double fast_speed_sigma = 500.0;
+  double fast_share = 0.02;
   // Where slant ranges are measured from [m]; empty: from the origin alone.
   struct Place {
     double x, y;
@@ -33,11 +41,11 @@ struct MultipleModelParams {
 };
 
 /// Interacting multiple models (Blom & Bar-Shalom 1988) on the plane: straight flight, turn to the left, turn to the
-/// right, each a Kalman filter. It removes the pass-course effect of filters in polar coordinates and follows turns
-/// without being noisy in between.
+/// right, both with a rate that is estimated, and any other motion, each a Kalman filter. It removes the pass-course
+/// effect of filters in polar coordinates and follows turns without being noisy in between.
 class MultipleModelFilter {
  public:
-  static constexpr std::size_t kModels = 3;
+  static constexpr std::size_t kModels = 4;
 
   /// A track from its first measurement, at rest, with velocity unknown.
   void start(const PlanarPosition& measurement, const MultipleModelParams& params);
@@ -79,8 +87,8 @@ class MultipleModelFilter {
 
   /// Chance that the target flies straight now, 0..1.
   double straightProbability() const { return probability_[0]; }
-  /// The same of straight flight, a turn to the left (anticlockwise), and one to the right.
-  const std::array<double, 3>& probabilities() const { return probability_; }
+  /// The same of straight flight, a turn to the left (anticlockwise), one to the right, and any other motion.
+  const std::array<double, kModels>& probabilities() const { return probability_; }
 
  private:
   void mix(double dt, const MultipleModelParams& params);
@@ -88,7 +96,7 @@ class MultipleModelFilter {
 
   void merge(const std::vector<MultipleModelFilter>& cases, std::size_t model);
 
-  std::array<PlanarMotion, kModels> state_;
+  std::array<TurningMotion, kModels> state_;
   std::array<double, kModels> probability_{};
 };
 

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <numeric>
+
 #include <tws_core/random_test_helpers.h>
 
 #include <tws_core/dense_imm_test_helpers.h>
@@ -25,39 +27,47 @@ void expectNear(const Matrix4& a, const Matrix4& b, double relative) {
   EXPECT_LT((a - b).norm(), relative * a.norm()) << a << "\n\n" << b;
 }
 
+/// Flies the filter beside the textbook's and compares all that they tell.
+void compareWithDense(DenseImm dense, std::mt19937_64& generator) {
+  MultipleModelFilter filter;
+  double x = 40e3, y = -30e3;
+  const PlanarPosition first = randomMeasurement(generator, x, y);
+  filter.start(first, dense.params);
+  dense.start(first);
+  for (int k = 0; k < 20; ++k) {
+    const double dt = uniform(generator, 0.0, 8.0);
+    x += 150.0 * dt;
+    y -= 80.0 * dt;
+    const PlanarPosition z = randomMeasurement(generator, x, y);
+    const double log_likelihood = filter.update(z, dt, dense.params);
+    ASSERT_NEAR(log_likelihood, dense.update(z, dt), 1e-5);
+    for (std::size_t i = 0; i < filter.probabilities().size(); ++i)
+      ASSERT_NEAR(filter.probabilities()[i], dense.mu[i], 1e-5);
+    ASSERT_LT((meanOf(filter.mean()) - dense.mean()).norm(), 1e-3);
+    expectNear(dense.covariance(), denseOf(filter.predict(0.0, dense.params)), 1e-5);
+  }
+  DenseImm later = dense;
+  for (int i = 0; i < DenseImm::kModels; ++i) later.move(i, 7.0);
+  const PlanarMotion predicted = filter.predict(7.0, dense.params);
+  const PlanarPosition alone = filter.predictPosition(7.0, dense.params);
+  EXPECT_NEAR(alone.x, predicted.x, 1e-6);
+  EXPECT_NEAR(alone.y, predicted.y, 1e-6);
+  EXPECT_LT((denseOf(alone.covariance) - denseOf(predicted.position)).norm(),
+            1e-9 * denseOf(predicted.position).norm());
+  EXPECT_LT((meanOf(predicted) - later.mean()).norm(), 1e-3);
+  expectNear(later.covariance(), denseOf(predicted), 1e-5);
+}
+
 // If this fails, every track of the set `default` is wrong: position, speed, gate, chance of existence.
 TEST(MultipleModelFilter, DoesWhatTheTextbookDoesWithDenseMatrices) {
   auto generator = seededGenerator();
   for (int run = 0; run < 50; ++run) {
     DenseImm dense;
-    dense.params.turn_rate = uniform(generator, 0.005, 0.4);
+    if (run % 2 == 1) dense.params = fixedRates();
+    dense.params.turn_rate = uniform(generator, 0.02, 0.2);
+    if (run % 2 == 0) dense.params.turn_rate_sigma = uniform(generator, 0.1, 0.5) * dense.params.turn_rate;
     dense.params.turning_time = uniform(generator, 5.0, 100.0);
-    MultipleModelFilter filter;
-    double x = 40e3, y = -30e3;
-    const PlanarPosition first = randomMeasurement(generator, x, y);
-    filter.start(first, dense.params);
-    dense.start(first);
-    for (int k = 0; k < 20; ++k) {
-      const double dt = uniform(generator, 0.0, 8.0);
-      x += 150.0 * dt;
-      y -= 80.0 * dt;
-      const PlanarPosition z = randomMeasurement(generator, x, y);
-      const double log_likelihood = filter.update(z, dt, dense.params);
-      ASSERT_NEAR(log_likelihood, dense.update(z, dt), 1e-6);
-      ASSERT_NEAR(filter.straightProbability(), dense.mu[0], 1e-6);
-      ASSERT_LT((meanOf(filter.mean()) - dense.mean()).norm(), 1e-4);
-      expectNear(dense.covariance(), denseOf(filter.predict(0.0, dense.params)), 1e-6);
-    }
-    DenseImm later = dense;
-    for (int i = 0; i < DenseImm::kModels; ++i) later.move(i, 7.0);
-    const PlanarMotion predicted = filter.predict(7.0, dense.params);
-    const PlanarPosition alone = filter.predictPosition(7.0, dense.params);
-    EXPECT_NEAR(alone.x, predicted.x, 1e-6);
-    EXPECT_NEAR(alone.y, predicted.y, 1e-6);
-    EXPECT_LT((denseOf(alone.covariance) - denseOf(predicted.position)).norm(),
-              1e-9 * denseOf(predicted.position).norm());
-    EXPECT_LT((meanOf(predicted) - later.mean()).norm(), 1e-4);
-    expectNear(later.covariance(), denseOf(predicted), 1e-6);
+    compareWithDense(dense, generator);
   }
 }
 
@@ -113,7 +123,7 @@ TEST(MultipleModelFilter, PredictsTheSpreadOfSimulatedFlights) {
   auto generator = seededGenerator();
   constexpr int kFlights = 40000;
   constexpr double kTime = 6.0;
-  const MultipleModelParams params = textbook();
+  const MultipleModelParams params = fixedRates();
   PlanarPosition z;
   z.x = 1000.0;
   z.covariance = {90000.0, 20000.0, 40000.0};
@@ -211,7 +221,7 @@ TEST(MultipleModelFilter, KnowsItsOwnErrorInStraightFlight) {
 // The mixture is merged into Gaussians, so that exact consistency cannot be asked for in turns: within a quarter.
 TEST(MultipleModelFilter, KnowsItsOwnErrorRoughlyInTurns) {
   auto generator = seededGenerator();
-  const double error = meanSquaredError(textbook(), true, generator);
+  const double error = meanSquaredError(fixedRates(), true, generator);
   EXPECT_GT(error, 3.0);
   EXPECT_LT(error, 5.0);
 }
@@ -236,6 +246,76 @@ TEST(MultipleModelFilter, SeesThatATargetTurns) {
     }
   }
   EXPECT_LT(filter.straightProbability(), 0.5);
+}
+
+/// Distance between where the filter expects a target that has turned for `scans` of 4 s, and where it is then [m].
+double missAfterTurn(const MultipleModelParams& params, double turn_rate, int scans) {
+  constexpr double kSpeed = 200.0;
+  MultipleModelFilter filter;
+  PlanarPosition z;
+  z.covariance = {10000.0, 0.0, 10000.0};
+  const auto place = [&](double t) {
+    z.x = kSpeed / turn_rate * std::sin(turn_rate * t);
+    z.y = 40e3 + kSpeed / turn_rate * (1.0 - std::cos(turn_rate * t));
+  };
+  place(0.0);
+  filter.start(z, params);
+  for (int k = 1; k <= scans; ++k) {
+    place(4.0 * k);
+    filter.update(z, 4.0, params);
+  }
+  place(4.0 * scans + 8.0);
+  const PlanarPosition there = filter.predictPosition(8.0, params);
+  return std::hypot(there.x - z.x, there.y - z.y);
+}
+
+// If this fails, an aircraft that turns faster or slower than most is shown beside its place, and lost after two
+// misses.
+TEST(MultipleModelFilter, LearnsHowFastATargetTurns) {
+  MultipleModelParams learning = textbook(), fixed = textbook();
+  fixed.turn_rate_sigma = 0.0;
+  for (const double rate : {radians(1.2), radians(3.2), radians(-3.2)}) {
+    EXPECT_LT(missAfterTurn(learning, rate, 10), 0.6 * missAfterTurn(fixed, rate, 10)) << degrees(rate) << " deg/s";
+  }
+}
+
+/// Root mean square error of the filter's position over a flight that speeds up at 1 g for 20 s, without noise [m].
+double errorWhileSpeedingUp(const MultipleModelParams& params) {
+  MultipleModelFilter filter;
+  double sum = 0.0;
+  for (int k = 0; k <= 25; ++k) {
+    const double t = 4.0 * k, faster = std::min(std::max(t - 60.0, 0.0), 20.0);
+    PlanarPosition z;
+    z.x = 150.0 * t + 0.5 * 9.81 * faster * faster + 9.81 * faster * (std::max(t - 60.0, 0.0) - faster);
+    z.y = 40e3;
+    z.covariance = {10000.0, 0.0, 40000.0};
+    if (k == 0) {
+      filter.start(z, params);
+      continue;
+    }
+    filter.update(z, 4.0, params);
+    if (k > 15) sum += std::pow(filter.mean().x - z.x, 2.0) / 10.0;
+  }
+  return std::sqrt(sum);
+}
+
+// If this fails, a fighter with its burner lit flies out of its track.
+TEST(MultipleModelFilter, FollowsAChangeOfSpeed) {
+  MultipleModelParams with = textbook(), without = textbook();
+  without.free_share = 0.0;
+  EXPECT_LT(errorWhileSpeedingUp(with), 0.6 * errorWhileSpeedingUp(without));
+}
+
+TEST(MultipleModelFilter, ChancesOfItsModelsAddUpToOne) {
+  const MultipleModelParams params = textbook();
+  const PlanarPosition z{700.0, 100.0, {10000.0, 0.0, 20000.0}};
+  MultipleModelFilter filter;
+  filter.start(z, params);
+  for (int k = 0; k < 5; ++k) {
+    const auto& p = filter.probabilities();
+    EXPECT_NEAR(std::accumulate(p.begin(), p.end(), 0.0), 1.0, 1e-9) << k << " updates";
+    filter.update({{z, 0.7}}, 0.3, 4.0, params);
+  }
 }
 
 /// A track that has flown straight to the east over (0, 30 km) at 200 m/s.
@@ -326,6 +406,7 @@ TEST(MultipleModelFilter, AFastSpeedSigmaWidensTheGateOfANewTrack) {
   MultipleModelFilter usual, wide;
   usual.start(z, params);
   params.fast_speed_sigma = 3.0 * params.speed_sigma;
+  params.fast_share = 0.2;
   wide.start(z, params);
   EXPECT_GT(wide.predictPosition(6.0, params).covariance.xx, 2.0 * usual.predictPosition(6.0, params).covariance.xx);
 }

@@ -237,6 +237,7 @@ void TrackBook::drop(Slot slot, double time) {
 
 void TrackBook::becomeFirm(Slot slot) {
   ++counts_.tracks_firm;
+  motion_.learnSpeed(tracks_.at(slot));
   newly_firm_.push_back(slot);
 }
 

@@ -77,7 +77,8 @@ void shift(Track& track, const tws::PlanarPosition& by) {
 
 }  // namespace
 
-TrackMotion::TrackMotion(const AditParams& params) : params_(params), alpha_beta_(params.alpha_beta) {}
+TrackMotion::TrackMotion(const AditParams& params)
+    : params_(params), alpha_beta_(params.alpha_beta), fast_share_(params.turning.fast_share) {}
 
 void TrackMotion::join(const std::vector<tws::SiteFrame>& frames) {
   frames_ = frames;
@@ -122,6 +123,16 @@ void TrackMotion::start(Track& track, const tws::Plot& plot, const RadarQuality&
   }
   track.filter.emplace<tws::MultipleModelFilter>().start(z, params_.turning);
   track.fixed = {z.x, z.y, z.covariance, 0.0};
+}
+
+void TrackMotion::learnSpeed(const Track& track) {
+  const auto* turning = std::get_if<tws::MultipleModelFilter>(&track.filter);
+  if (turning == nullptr || params_.turning.fast_speed_sigma == 0.0) return;
+  constexpr double kFast = 3.0, kSure = 2.0;  // Standard deviations: of usual speeds, of this one.
+  const tws::PlanarMotion now = turning->predict(0.0, params_.turning);
+  const double sigma = std::sqrt(0.5 * (now.velocity.xx + now.velocity.yy));
+  fast_share_.add(std::hypot(now.vx, now.vy) - kSure * sigma > kFast * params_.turning.speed_sigma);
+  params_.turning.fast_share = fast_share_.value();
 }
 
 void TrackMotion::branch(Track& track, const Track& parent, const Parting& parting, std::size_t radar) const {

@@ -2,6 +2,7 @@
 
 #include "adit_params.h"
 #include "core/candidates.h"
+#include "core/fast_share.h"
 #include "core/radar_state.h"
 #include "core/track.h"
 
@@ -46,6 +47,9 @@ class TrackMotion {
   /// The track's first detection: at rest, where the plot is (section "Track Initiation").
   void start(Track& track, const tws::Plot& plot, const RadarQuality& quality, std::size_t radar = 0) const;
 
+  /// Learns from a track that has become firm how fast targets are here, for those that start from now on.
+  void learnSpeed(const Track& track);
+
   /// Corrects by a detection. Returns the natural logarithm of its likelihood [1/m²]; 0 with the α-β filter.
   double update(Track& track, const tws::Plot& plot, const RadarQuality& quality, std::size_t radar = 0) const;
 
@@ -80,6 +84,7 @@ class TrackMotion {
   std::vector<tws::SiteFrame> frames_;  // by radar, when they are at several sites
   bool joined_ = false;                 // are they at several sites?
   tws::AdaptiveAlphaBeta alpha_beta_;
+  FastShare fast_share_;
 };
 
 }  // namespace adit_tracker

@@ -54,8 +54,9 @@ void setCovariance(tws_msgs::Track& message, const tws::PlanarMotion& p, const S
 void setOutputs(tws_msgs::Track& message, const Adit& adit, const Track& track) {
   if (adit.params().life == TrackLife::kExistence) message.existence = track.existence;
   if (const auto* turning = std::get_if<tws::MultipleModelFilter>(&track.filter)) {
-    const auto& [straight, left, right] = turning->probabilities();
-    message.model_probabilities = {static_cast<float>(straight), static_cast<float>(right), static_cast<float>(left)};
+    const auto& [straight, left, right, free] = turning->probabilities();
+    message.model_probabilities = {static_cast<float>(straight), static_cast<float>(right), static_cast<float>(left),
+                                   static_cast<float>(free)};
   }
 }
 

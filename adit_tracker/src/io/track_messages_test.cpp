@@ -73,7 +73,7 @@ TEST(TrackMessage, TellsATurnToTheRightAsOne) {
     });
     tracker = &adit;
     feedInOrder(adit, radars);
-    ASSERT_EQ(last.model_probabilities.size(), 3U);
+    ASSERT_EQ(last.model_probabilities.size(), 4U);
     EXPECT_GT(last.model_probabilities[turn_rate > 0.0 ? 1 : 2], 0.6F) << turn_rate;
   }
 }
