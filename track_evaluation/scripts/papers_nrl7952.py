@@ -6,6 +6,7 @@ import math
 import rosbag
 
 import formations
+import skies
 
 TITLE = "NRL Report 7952 (1976): tracking system for asynchronously scanning radars"
 # Every aircraft counts at every moment, in cover or not, so that scenes with different radars are asked for the same.
@@ -55,7 +56,7 @@ def rows(runs, seeds, Sample, verdict):
             *five_gates(measured, verdict, dense(scene), tracker), *adaptive_filter(measured, verdict, scene, tracker),
             *clutter(measured, scene, tracker, ours), *clutter_that_comes(runs, seeds, Sample, verdict, tracker, ours),
             *elevation(runs, seeds, Sample, tracker, ours), *bifurcation(runs, seeds, Sample, verdict, ours),
-            *more_radars(runs, seeds, Sample, verdict, ours)]
+            *more_radars(runs, seeds, Sample, verdict, ours), *skies.rows(runs, seeds, Sample, verdict)]
 
 
 def real_time(measured, scene, tracker, ours):
