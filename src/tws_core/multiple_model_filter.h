@@ -16,9 +16,9 @@ struct MultipleModelParams {
   double turn_rate = radians(2.2);
   double turn_rate_sigma = radians(0.9);
   double straight_acceleration = 0.07;  // White acceleration density of the straight model [m²/s³].
-  double turning_acceleration = 3.0;    // The same of the turning models,
+  double turning_acceleration = 2.0;    // The same of the turning models,
   double free_acceleration = 60.0;      // and of the model of any other motion: changes of speed, hard turns.
-  double straight_time = 250.0;         // Mean time between manoeuvres [s].
+  double straight_time = 200.0;         // Mean time between manoeuvres [s].
   double turning_time = 30.0;           // Mean time of a turn [s],
   double free_time = 20.0;              // and of any other motion.
   double free_share = 0.05;             // Of manoeuvres, those that are no turns [0, 1); 0: without that model.
