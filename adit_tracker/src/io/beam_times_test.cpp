@@ -81,7 +81,7 @@ TEST_F(BeamTimes, GoOnOverAStepOfTheClock) {
 TEST_F(BeamTimes, OfWholeSecondsAreRefined) {
   cutOff(1.0);
   learn();
-  EXPECT_LT(worstTime(), 0.05);
+  EXPECT_LT(worstTime(), 4.0 / 64.0);  // Within a sector: plots come in order.
   EXPECT_TRUE(isInOrder());
   EXPECT_EQ(said_, "its times are whole steps of 1 s; they are refined by the beam's azimuth\n");
 }
@@ -99,7 +99,11 @@ TEST_F(BeamTimes, AreThoseOfABeamThatIsGiven) {
 TEST_F(BeamTimes, OfWholeScansAreThoseOfABeamFromNorth) {
   cutOff(4.0);
   EXPECT_NEAR(learn().period(), 4.0, 1e-6);
-  for (const tws::Plot& plot : plots_) ASSERT_NEAR(plot.time, plot.range, 0.01);
+  for (const tws::Plot& plot : plots_) {
+    // An azimuth that is wrong by up to 0.003 rad cannot tell on which side of north it was.
+    if (std::abs(tws::angularDifference(plot.azimuth, 0.0)) < 0.006) continue;
+    ASSERT_NEAR(plot.time, plot.range, 0.01);
+  }
 }
 
 // One aircraft that comes straight in is met at even times, which are exact.
