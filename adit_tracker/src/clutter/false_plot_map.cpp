@@ -8,7 +8,6 @@
 namespace adit_tracker {
 namespace {
 
-constexpr double kLeastRange = 10e3;      // [m]
 constexpr double kFirstGuess = 5.0;       // false plots a scan, before any have shown …
 constexpr double kGuessScans = 0.5;       // … and how many scans that counts for
 constexpr double kLeastFalsePlots = 0.5;  // a scan
@@ -17,32 +16,18 @@ constexpr double kPriorPlots = 2.0;       // weight of what a larger cell says
 }  // namespace
 
 FalsePlotMap::FalsePlotMap()
-    : greatest_range_(kLeastRange),
-      bin_(kLeastRange / kBins),
-      cells_(static_cast<std::size_t>(kLevels * tws::kSectors * kBins)) {}
+    : greatest_range_(RangeBins::kLeastReach), cells_(static_cast<std::size_t>(kLevels * tws::kSectors * kBins)) {}
 
 double FalsePlotMap::area() const { return tws::kPi * greatest_range_ * greatest_range_; }
 
-int FalsePlotMap::binOf(double range) const {
-  return static_cast<int>(std::clamp(range / bin_, 0.0, static_cast<double>(kBins - 1)));
-}
-
 void FalsePlotMap::addRange(double range) {
   greatest_range_ = std::max(greatest_range_, range);
-  while (greatest_range_ > kBins * bin_) widen();
+  while (greatest_range_ > bins_.reach()) widen();
 }
 
-/// Two bins become one.
 void FalsePlotMap::widen() {
-  bin_ *= 2.0;
-  for (int sector = 0; sector < tws::kSectors; ++sector) {
-    for (int bin = 0; bin < kBins; ++bin) {
-      const int inner = 2 * bin;
-      Cell sum;
-      for (int half = inner; half < std::min(inner + 2, kBins); ++half) sum.add(at(0, sector, half));
-      at(0, sector, bin) = sum;
-    }
-  }
+  bins_.doubleDepth();
+  for (int sector = 0; sector < tws::kSectors; ++sector) RangeBins::sumUp(&at(0, sector, 0));
   std::fill(cells_.begin() + static_cast<std::ptrdiff_t>(indexOf(1, 0, 0)), cells_.end(), Cell{});
   for (int sector = 0; sector < tws::kSectors; ++sector) sumUp(sector);
 }
@@ -51,19 +36,19 @@ void FalsePlotMap::add(int sector, double range, double chance) { at(0, sector, 
 
 void FalsePlotMap::close(int sector) {
   Cell& total = sectors_[static_cast<std::size_t>(sector)];
-  all_.add({-total.plots, -total.exposure});
+  all_ += {-total.plots, -total.exposure};
   total = {};
   const int last = binOf(greatest_range_);
   double from = 0.0;
   for (int bin = 0; bin <= last; ++bin) {
-    const double to = std::min((bin + 1) * bin_, greatest_range_);
+    const double to = std::min((bin + 1) * bins_.depth(), greatest_range_);
     Cell& cell = at(0, sector, bin);
     cell.plots *= kKept;
     cell.exposure = kKept * (cell.exposure + 0.5 * tws::kSectorWidth * (to * to - from * from));
-    total.add(cell);
+    total += cell;
     from = to;
   }
-  all_.add(total);
+  all_ += total;
   sumUp(sector);
   everywhere_ = std::max(kLeastFalsePlots, perScan()) / area();
 }
@@ -76,7 +61,7 @@ void FalsePlotMap::sumUp(int sector) {
     for (int bin = 0; bin <= last; bin += 2 * half) {
       Cell sum;
       for (const int s : {first, first + half}) {
-        for (const int b : {bin, bin + half}) sum.add(at(level - 1, s, b));
+        for (const int b : {bin, bin + half}) sum += at(level - 1, s, b);
       }
       at(level, sector, bin) = sum;
     }
@@ -110,7 +95,7 @@ double FalsePlotMap::density(double range, double azimuth) const {
 
 double FalsePlotMap::perScan() const {
   Cell sum{kGuessScans * kFirstGuess, kGuessScans * area()};
-  sum.add(all_);
+  sum += all_;
   return area() * sum.plots / sum.exposure;
 }
 

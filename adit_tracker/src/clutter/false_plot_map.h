@@ -1,9 +1,12 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
 #include <tws_core/sectors.h>
+
+#include "core/range_bins.h"
 
 namespace adit_tracker {
 
@@ -48,20 +51,23 @@ class FalsePlotMap {
   double greatestRange() const { return greatest_range_; }
 
  private:
-  static constexpr int kBins = 64, kLevels = 5;  // cells of 1, 2, 4, 8, 16 sectors and bins
-  static constexpr double kMany = 200.0;         // a scan, if they came as densely everywhere
+  static constexpr int kBins = RangeBins::kBins;
+  static constexpr int kLevels = 5;       // cells of 1, 2, 4, 8, 16 sectors and bins
+  static constexpr double kMany = 200.0;  // a scan, if they came as densely everywhere
   /// What a cell has shown lately.
   struct Cell {
     double plots = 0.0, exposure = 0.0;  // false ones, and its area [m²] times scans
 
-    void add(const Cell& other) {
+    Cell& operator+=(const Cell& other) {
       plots += other.plots;
       exposure += other.exposure;
+      return *this;
     }
   };
 
   double area() const;
-  int binOf(double range) const;
+  /// What lies beyond all bins is in the last.
+  int binOf(double range) const { return std::min(bins_.binOf(range), kBins - 1); }
   /// It has not been closed yet.
   bool isNew(int sector) const { return sectors_[static_cast<std::size_t>(sector)].exposure == 0.0; }
   static std::size_t indexOf(int level, int sector, int bin) {
@@ -74,7 +80,7 @@ class FalsePlotMap {
   double estimate(int sector, int bin, double left_out) const;
 
   double greatest_range_;
-  double bin_;                               // depth of one [m]
+  RangeBins bins_;
   std::vector<Cell> cells_;                  // by level, sector and bin
   std::array<Cell, tws::kSectors> sectors_;  // sums
   Cell all_;                                 // the sum of these

@@ -8,7 +8,6 @@
 namespace adit_tracker {
 namespace {
 
-constexpr double kLeastRange = 10e3;  // [m]
 constexpr double kFirstGuess = 0.85;  // chance of detection before anything has shown
 constexpr double kPriorLooks = 4.0;   // weight of what a larger cell says
 constexpr float kRemembered = 64.0F;  // looks, in each cell
@@ -19,32 +18,16 @@ constexpr double kBlind = 0.2;  // chance of detection
 }  // namespace
 
 CoverageMap::CoverageMap()
-    : bin_(kLeastRange / kBins),
-      everywhere_(kFirstGuess),
-      cells_(static_cast<std::size_t>(kLevels * tws::kSectors * (kBins + 1))) {}
+    : everywhere_(kFirstGuess), cells_(static_cast<std::size_t>(kLevels * tws::kSectors * (kBins + 1))) {}
 
-int CoverageMap::binOf(double range) const {
-  return static_cast<int>(std::clamp(range / bin_, 0.0, static_cast<double>(kBins)));
-}
-
-/// Two bins become one; what lay beyond has yet to show.
+/// What lay beyond has yet to show.
 void CoverageMap::widen() {
-  bin_ *= 2.0;
+  bins_.doubleDepth();
   outside_ = 0;
-  for (auto& plots : false_plots_) {
-    for (std::size_t bin = 0; bin < kBins; ++bin)
-      plots[bin] = bin < kBins / 2 ? plots[2 * bin] + plots[2 * bin + 1] : 0.0;
-  }
+  for (auto& plots : false_plots_) RangeBins::sumUp(plots.data());
   for (int row = 0; row < kLevels * tws::kSectors; ++row) {
     Cell* const bins = &cells_[static_cast<std::size_t>(row) * (kBins + 1)];
-    for (int bin = 0; bin < kBins; ++bin) {
-      Cell sum;
-      for (int half = 2 * bin; half < std::min(2 * bin + 2, kBins); ++half) {
-        sum.seen += bins[half].seen;
-        sum.looks += bins[half].looks;
-      }
-      bins[bin] = sum;
-    }
+    RangeBins::sumUp(bins);
     bins[kBins] = {};
   }
 }
@@ -53,7 +36,7 @@ void CoverageMap::look(double range, double azimuth, double seen, double weight)
   const double counts = weight * (seen + (1.0 - seen) * std::min(1.0, everywhere_ / kGood));
   has_looked_ = true;
   everywhere_ += kEverywhereGain * weight * (seen - everywhere_);
-  const int sector = tws::sectorOf(azimuth), bin = binOf(range);
+  const int sector = tws::sectorOf(azimuth), bin = bins_.binOf(range);
   for (int level = 0; level < kLevels; ++level) {
     Cell& cell = cells_[indexOf(level, sector, bin)];
     const float kept = kRemembered / (kRemembered + static_cast<float>(counts));
@@ -78,7 +61,7 @@ double CoverageMap::priorOf(int bin) const {
 }
 
 double CoverageMap::detection(double range, double azimuth) const {
-  const int sector = tws::sectorOf(azimuth), bin = binOf(range);
+  const int sector = tws::sectorOf(azimuth), bin = bins_.binOf(range);
   double chance = priorOf(bin);
   for (int level = kLevels - 1; level >= 0; --level) chance = after(cells_[indexOf(level, sector, bin)], chance);
   return chance;
@@ -86,12 +69,12 @@ double CoverageMap::detection(double range, double azimuth) const {
 
 void CoverageMap::addPlot(double range, double azimuth, double chance_false) {
   constexpr int kSome = 3;  // plots from beyond: a single one may be mad
-  if (range >= kBins * bin_ && ++outside_ < kSome) return;
-  while (range >= kBins * bin_) widen();
+  if (range >= bins_.reach() && ++outside_ < kSome) return;
+  while (range >= bins_.reach()) widen();
   farthest_ = std::max(farthest_, range);
   if (chance_false > 0.5) farthest_false_ = std::max(farthest_false_, range);
   const auto quadrant = static_cast<std::size_t>(tws::sectorOf(azimuth) * kQuadrants / tws::kSectors);
-  false_plots_[quadrant][static_cast<std::size_t>(binOf(range))] += chance_false;
+  false_plots_[quadrant][static_cast<std::size_t>(bins_.binOf(range))] += chance_false;
 }
 
 /// False plots come from just within the farthest plot, in all quadrants, and none from beyond it, where so many were
@@ -99,13 +82,13 @@ void CoverageMap::addPlot(double range, double azimuth, double chance_false) {
 bool CoverageMap::isBeyond(double range) const {
   constexpr double kEnough = 3.0, kEdge = 0.9, kNearly = 0.99;
   if (range <= farthest_ || farthest_false_ < kNearly * farthest_) return false;
-  const int first = binOf(kEdge * farthest_), last = std::min(binOf(farthest_), kBins - 1);
+  const int first = bins_.binOf(kEdge * farthest_), last = std::min(bins_.binOf(farthest_), kBins - 1);
   double plots = std::numeric_limits<double>::infinity();
   for (const auto& quadrant : false_plots_) {
     const auto begin = quadrant.begin();
     plots = std::min(plots, kQuadrants * std::accumulate(begin + first, begin + last + 1, 0.0));
   }
-  const double from = first * bin_, outside = range * range - farthest_ * farthest_;
+  const double from = first * bins_.depth(), outside = range * range - farthest_ * farthest_;
   return plots * outside > kEnough * (farthest_ * farthest_ - from * from);
 }
 

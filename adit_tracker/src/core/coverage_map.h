@@ -5,6 +5,8 @@
 
 #include <tws_core/sectors.h>
 
+#include "core/range_bins.h"
+
 namespace adit_tracker {
 
 /// What a radar covers: its chance of detection over range and azimuth, learned from firm tracks that its beam meets,
@@ -37,15 +39,21 @@ class CoverageMap {
   bool hasLooked() const { return has_looked_; }
 
  private:
-  static constexpr int kBins = 64, kLevels = 4;  // cells of 1, 4, 16, 64 sectors
+  static constexpr int kBins = RangeBins::kBins;
+  static constexpr int kLevels = 4;  // cells of 1, 4, 16, 64 sectors
   static constexpr int kQuadrants = 4;
   struct Cell {
     float seen = 0.0F, looks = 0.0F;
+
+    Cell& operator+=(const Cell& other) {
+      seen += other.seen;
+      looks += other.looks;
+      return *this;
+    }
   };
 
   static double after(const Cell& cell, double prior);
   double priorOf(int bin) const;
-  int binOf(double range) const;
   static std::size_t indexOf(int level, int sector, int bin) {
     const auto row = static_cast<std::size_t>(level) * tws::kSectors + static_cast<std::size_t>(sector >> (2 * level));
     return row * (kBins + 1) + static_cast<std::size_t>(bin);
@@ -53,7 +61,7 @@ class CoverageMap {
   void widen();
   bool isBeyond(double range) const;
 
-  double bin_;                                    // depth of one [m]
+  RangeBins bins_;
   int outside_ = 0;                               // plots from beyond all bins
   double farthest_ = 0.0, farthest_false_ = 0.0;  // of all plots, and of those that are rather false [m]
   std::array<std::array<double, kBins>, kQuadrants> false_plots_{};  // since the start, by quadrant and bin
