@@ -8,9 +8,11 @@
 namespace adit_tracker {
 namespace {
 
-constexpr double kFirstGuess = 0.85;  // chance of detection before anything has shown
-constexpr double kPriorLooks = 4.0;   // weight of what a larger cell says
-constexpr float kRemembered = 64.0F;  // looks, in each cell
+constexpr double kFirstGuess = 0.85;            // chance of detection before anything has shown
+constexpr double kPriorLooks = 3.0;             // weight of what a larger cell says
+constexpr double kPriorOfRange = 4.0;           // weight of what the range before says
+constexpr float kRemembered = 64.0F;            // looks, in each smallest cell
+constexpr float kSaid[] = {4.0F, 8.0F, 16.0F};  // looks, at most, that a cell says to the larger one
 constexpr double kEverywhereGain = 0.03;
 constexpr double kGood = 0.5;   // of all looks: a radar that is on sees so many targets
 constexpr double kBlind = 0.2;  // chance of detection
@@ -25,10 +27,17 @@ void CoverageMap::widen() {
   bins_.doubleDepth();
   outside_ = 0;
   for (auto& plots : false_plots_) RangeBins::sumUp(plots.data());
-  for (int row = 0; row < kLevels * tws::kSectors; ++row) {
-    Cell* const bins = &cells_[static_cast<std::size_t>(row) * (kBins + 1)];
+  for (int sector = 0; sector < tws::kSectors; ++sector) {
+    Cell* const bins = &cells_[indexOf(0, sector, 0)];
     RangeBins::sumUp(bins);
     bins[kBins] = {};
+  }
+  sumUp();
+}
+
+void CoverageMap::sumUp() {
+  for (int sector = 0; sector < tws::kSectors; ++sector) {
+    for (int bin = 0; bin <= kBins; ++bin) sumUp(sector, bin);
   }
 }
 
@@ -37,34 +46,51 @@ void CoverageMap::look(double range, double azimuth, double seen, double weight)
   has_looked_ = true;
   everywhere_ += kEverywhereGain * weight * (seen - everywhere_);
   const int sector = tws::sectorOf(azimuth), bin = bins_.binOf(range);
-  for (int level = 0; level < kLevels; ++level) {
-    Cell& cell = cells_[indexOf(level, sector, bin)];
-    const float kept = kRemembered / (kRemembered + static_cast<float>(counts));
-    cell.seen = kept * (cell.seen + static_cast<float>(counts * seen));
-    cell.looks = kept * (cell.looks + static_cast<float>(counts));
+  Cell& cell = cells_[indexOf(0, sector, bin)];
+  const float kept = kRemembered / (kRemembered + static_cast<float>(counts));
+  cell.seen = kept * (cell.seen + static_cast<float>(counts * seen));
+  cell.looks = kept * (cell.looks + static_cast<float>(counts));
+  sumUp(sector, bin);
+}
+
+CoverageMap::Cell CoverageMap::saidBy(int level, int sector, int bin) const {
+  return at(level, sector, bin).atMost(kSaid[level]);
+}
+
+/// The larger cells that hold a cell.
+void CoverageMap::sumUp(int sector, int bin) {
+  for (int level = 1; level < kLevels; ++level) {
+    const int width = 1 << (2 * (level - 1)), first = sector / (4 * width) * (4 * width);
+    Cell sum;
+    for (int part = 0; part < 4; ++part) sum += saidBy(level - 1, first + part * width, bin);
+    cells_[indexOf(level, sector, bin)] = sum;
   }
 }
 
-double CoverageMap::after(const Cell& cell, double prior) {
-  return (static_cast<double>(cell.seen) + kPriorLooks * prior) / (static_cast<double>(cell.looks) + kPriorLooks);
+double CoverageMap::after(const Cell& cell, double prior, double weight) {
+  return (static_cast<double>(cell.seen) + weight * prior) / (static_cast<double>(cell.looks) + weight);
 }
 
 /// What a range has to show is expected of those beyond it, as far as they have shown nothing themselves.
 double CoverageMap::priorOf(int bin) const {
-  constexpr float kPlenty = 32.0F;
-  const auto ring = [&](int b) -> const Cell& { return cells_[indexOf(kLevels - 1, 0, b)]; };
+  constexpr float kPlenty = 16.0F;
+  const auto ring = [&](int b) -> const Cell& { return at(kLevels - 1, 0, b); };
   int first = bin;
   while (first > 0 && ring(first).looks < kPlenty) --first;
   double chance = kFirstGuess;
-  for (int b = first; b < bin; ++b) chance = after(ring(b), chance);
+  for (int b = first; b < bin; ++b) chance = after(ring(b), chance, kPriorOfRange);
   return chance;
 }
 
+/// From the largest cell to the smallest. What a smaller one has said to a larger one is its own word, and comes last.
 double CoverageMap::detection(double range, double azimuth) const {
   const int sector = tws::sectorOf(azimuth), bin = bins_.binOf(range);
   double chance = priorOf(bin);
-  for (int level = kLevels - 1; level >= 0; --level) chance = after(cells_[indexOf(level, sector, bin)], chance);
-  return chance;
+  for (int level = kLevels - 1; level > 0; --level) {
+    const Cell others = at(level, sector, bin).without(saidBy(level - 1, sector, bin));
+    chance = after(others, chance, kPriorLooks);
+  }
+  return after(at(0, sector, bin), chance, kPriorLooks);
 }
 
 void CoverageMap::addPlot(double range, double azimuth, double chance_false) {

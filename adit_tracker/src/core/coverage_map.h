@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -13,14 +14,16 @@ namespace adit_tracker {
 /// and the range beyond which it sees nothing.
 ///
 /// A cell is a sector wide and as deep as a 64th of the range covered; when a plot comes from beyond, two become one.
-/// What lies beyond all of them is one cell. A cell that has shown little leans on the same ranges of 4, of 16 and of
-/// all sectors, whose word weighs as much as four looks, and these on the ranges before them: so a few tracks that
-/// leave teach the radar's greatest range, and many a blind sector. Old looks are forgotten as new ones come. While the
-/// radar sees little anywhere, misses count little: it may be off.
+/// What lies beyond all of them is one cell. A cell that has shown little leans on what the others of the same range
+/// have: of its 4 sectors, of the other 12 of 16, of all others, each prior of the next with the weight of three looks,
+/// and the first leans on the ranges before it. So a few tracks that leave in several directions teach the radar's
+/// greatest range, and many a blind sector; what one lost track has missed is counted once, and blinds no more than its
+/// own sectors. Old looks are forgotten as new ones come. While the radar sees little anywhere, misses count little: it
+/// may be off.
 ///
 /// Where false plots come from all ranges and sides, the greatest range shows sooner: none come from beyond it.
 ///
-/// Cost: four cells a look; to ask, four, and those before it as far as little is known of them: at most 64 more.
+/// Cost: 13 cells a look; to ask, seven, and those before it as far as little is known of them: at most 64 more.
 class CoverageMap {
  public:
   CoverageMap();
@@ -50,14 +53,24 @@ class CoverageMap {
       looks += other.looks;
       return *this;
     }
+    /// Of as many looks at most, in the same proportion.
+    Cell atMost(float most) const { return looks > most ? Cell{seen * most / looks, most} : *this; }
+    Cell without(const Cell& part) const {
+      return {std::max(0.0F, seen - part.seen), std::max(0.0F, looks - part.looks)};
+    }
   };
 
-  static double after(const Cell& cell, double prior);
+  static double after(const Cell& cell, double prior, double weight);
   double priorOf(int bin) const;
   static std::size_t indexOf(int level, int sector, int bin) {
     const auto row = static_cast<std::size_t>(level) * tws::kSectors + static_cast<std::size_t>(sector >> (2 * level));
     return row * (kBins + 1) + static_cast<std::size_t>(bin);
   }
+  const Cell& at(int level, int sector, int bin) const { return cells_[indexOf(level, sector, bin)]; }
+  /// What a cell says to the larger one that holds it.
+  Cell saidBy(int level, int sector, int bin) const;
+  void sumUp(int sector, int bin);
+  void sumUp();
   void widen();
   bool isBeyond(double range) const;
 

@@ -106,5 +106,23 @@ TEST_F(CoverageMapTest, OneMadRangeChangesNothing) {
   EXPECT_TRUE(map_.isBlind(104e3, 1.0));
 }
 
+// One target was lost there, and its track coasts on. If this fails, the radar counts as blind far around, and ends
+// the tracks there.
+TEST_F(CoverageMapTest, OneLostTrackBlindsNoMoreThanItsOwnSector) {
+  const double lost = 20.5 * tws::kSectorWidth;
+  flyOut(5.5 * tws::kSectorWidth, 200e3, 60e3);
+  for (int i = 0; i < 20; ++i) map_.look(80e3, lost, 0.0, 1.0);
+  EXPECT_TRUE(map_.isBlind(80e3, lost));
+  for (int sector = 0; sector < tws::kSectors; ++sector) {
+    if (sector == 20) continue;
+    EXPECT_FALSE(map_.isBlind(80e3, (sector + 0.5) * tws::kSectorWidth)) << sector;
+  }
+}
+
+TEST_F(CoverageMapTest, FiveMissesOfOneTrackBlindNothing) {
+  for (int i = 0; i < 5; ++i) map_.look(80e3, 2.0, 0.0, 1.0);
+  for (double azimuth = 0.05; azimuth < tws::kTwoPi; azimuth += 0.1) EXPECT_FALSE(map_.isBlind(80e3, azimuth));
+}
+
 }  // namespace
 }  // namespace adit_tracker
