@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "radar_cells.h"
 #include "symbols.h"
 
 namespace tws_rviz {
@@ -22,6 +23,12 @@ class LegendColumn {
     report.position = middle_;
     addTrackSymbol(drawing_, report, style_);
     write(meaning, colorOf(report, style_));
+  }
+
+  /// A square of a radar map's shade.
+  void addShade(const Rgba& shade, const Rgba& color, const std::string& meaning) {
+    addDot(drawing_, middle_, 2.0 * style_.symbol, shade);
+    write(meaning, color);
   }
 
   void addClutter(bool absorbing, const std::string& meaning) {
@@ -59,6 +66,8 @@ void addLegend(Drawing& drawing, const PpiStyle& style) {
   left.addTrack(track(TrackState::kFirm, TrackKind::kSecondary), "secondary radar alone");
   left.addTrack(track(TrackState::kFirm, TrackKind::kCorrelated), "both kinds of radar");
   left.addTrack(track(TrackState::kFirm), "firm");
+  left.addShade(style.blind, {0.7f, 0.7f, 0.85f, 1.0f}, "radar is blind");
+  left.addShade(densestShade(style), style.clutter, "false plots");
   TrackReport searched = track(TrackState::kFirm), answering = searched, handed_off = searched;
   searched.designated = answering.iff = handed_off.handed_off = true;
   right.addTrack(searched, "elevation search");

@@ -22,8 +22,9 @@ Drawing legend() {
 TEST(Legend, NamesEachSymbolOnce) {
   std::set<std::string> said;
   for (const Label& label : legend().labels) EXPECT_TRUE(said.insert(label.text).second);
-  for (const char* meaning : {"firm", "coasting", "tentative", "handed off", "elevation search", "answers IFF",
-                              "clutter", "clutter on probation", "secondary radar alone", "both kinds of radar"})
+  for (const char* meaning :
+       {"firm", "coasting", "tentative", "handed off", "elevation search", "answers IFF", "clutter",
+        "clutter on probation", "false plots", "radar is blind", "secondary radar alone", "both kinds of radar"})
     EXPECT_EQ(said.count(meaning), 1U) << meaning;
 }
 

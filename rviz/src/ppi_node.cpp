@@ -231,7 +231,9 @@ class PpiNode::Impl {
     watchTime(bus_.now());
     clutter_screen_.show(picture_.clutter(latest_.toSec()), latest_);
     truth_screen_.show(picture_.truth(latest_.toSec()), latest_);
-    track_screen_.show(picture_.tracks(latest_.toSec()), latest_);
+    const TrackLayers tracks = picture_.tracks(latest_.toSec());
+    tentative_screen_.show(tracks.tentative, latest_);
+    track_screen_.show(tracks.others, latest_);
     status_screen_.show(picture_.status(latest_.toSec()), latest_);
   }
 
@@ -249,6 +251,7 @@ class PpiNode::Impl {
   Screen detection_screen_{bus_, params_.frame, "ppi", "detections", 2.0};
   Screen clutter_screen_{bus_, params_.frame, "ppi", "clutter", 3.0};
   Screen truth_screen_{bus_, params_.frame, "ppi", "truth", 4.0};
+  Screen tentative_screen_{bus_, params_.frame, "ppi", "tentative", 4.5};
   Screen track_screen_{bus_, params_.frame, "ppi", "tracks", 5.0};
   Screen status_screen_{bus_, params_.frame, "ppi", "status", 6.0};
 };

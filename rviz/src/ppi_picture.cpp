@@ -100,11 +100,11 @@ Drawing PpiPicture::truth(double time) const {
   return drawing;
 }
 
-Drawing PpiPicture::tracks(double time) {
-  Drawing drawing;
+TrackLayers PpiPicture::tracks(double time) {
+  TrackLayers layers;
   tracks_.expire(time);
-  tracks_.draw(drawing, time, style_, covered(time));
-  return drawing;
+  tracks_.draw(layers, time, style_, covered(time));
+  return layers;
 }
 
 Drawing PpiPicture::status(double time) const {

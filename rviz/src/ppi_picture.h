@@ -56,7 +56,7 @@ class PpiPicture {
   Drawing clutter(double time) const;
   Drawing truth(double time) const;
   /// Also forgets the tracks that are too old, and places the labels.
-  Drawing tracks(double time);
+  TrackLayers tracks(double time);
   /// Radars and trackers that never published are not listed.
   Drawing status(double time) const;
 

@@ -62,17 +62,17 @@ TEST(PpiPicture, ATrackBearsTheCodeOfTheSecondaryRadarsPlotAndKeepsIt) {
   track.velocity = {0.0, 0.0};
   track.name = "7";
   picture.add(track);
-  EXPECT_TRUE(says(picture.tracks(100.0), "7\n0kn\n1234 F350"));
+  EXPECT_TRUE(says(picture.tracks(100.0).others, "7\n0kn\n1234 F350"));
   track.published = track.time = 120.0;  // The plot is too old now.
   picture.add(track);
-  EXPECT_TRUE(says(picture.tracks(120.0), "7\n0kn\n1234 F350"));
+  EXPECT_TRUE(says(picture.tracks(120.0).others, "7\n0kn\n1234 F350"));
   track.identity = "F350";  // The tracker's own height, of an elevation search, is no code.
   picture.add(IdentityPlot{120.0, {50e3, 0.0}, "1234 F351"});
   picture.add(track);
-  EXPECT_TRUE(says(picture.tracks(120.0), "7\n0kn\n1234 F351"));
+  EXPECT_TRUE(says(picture.tracks(120.0).others, "7\n0kn\n1234 F351"));
   track.identity = "4321";
   picture.add(track);
-  EXPECT_TRUE(says(picture.tracks(120.0), "7\n0kn\n4321"));
+  EXPECT_TRUE(says(picture.tracks(120.0).others, "7\n0kn\n4321"));
 }
 
 // If this fails, the operator sees every aircraft twice, or none when the correlator has stopped.
@@ -93,18 +93,18 @@ TEST(PpiPicture, ACorrelatorsPictureStandsInPlaceOfItsTrackersWhileItPublishes) 
     picture.add(track);
   };
   say(0, "7", TrackState::kFirm);
-  EXPECT_TRUE(says(picture.tracks(100.0), "7\n0kn"));
+  EXPECT_TRUE(says(picture.tracks(100.0).others, "7\n0kn"));
   picture.setLatest(0, 100.0);
   picture.setLatest(2, 100.0);
   say(2, "1", TrackState::kFirm);
-  const Drawing drawing = picture.tracks(100.0);
+  const Drawing drawing = picture.tracks(100.0).others;
   EXPECT_TRUE(says(drawing, "1\n0kn"));
   EXPECT_FALSE(says(drawing, "7\n0kn"));
   EXPECT_TRUE(says(picture.status(100.0), "correlated"));
   EXPECT_FALSE(says(picture.status(100.0), "adit"));
   track.published = 131.0;
   say(0, "7", TrackState::kFirm);
-  EXPECT_TRUE(says(picture.tracks(131.0), "7\n0kn"));
+  EXPECT_TRUE(says(picture.tracks(131.0).others, "7\n0kn"));
 }
 
 // When the tracker stops, its clutter map must not stay as if it were still in use.

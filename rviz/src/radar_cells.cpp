@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <tws_core/sectors.h>
 
@@ -32,6 +33,8 @@ void addStrip(Drawing& drawing, const RadarCells& cells, int sector, int from, i
 bool isSame(const Rgba& a, const Rgba& b) { return a.r == b.r && a.g == b.g && a.b == b.b && a.a == b.a; }
 
 }  // namespace
+
+Rgba densestShade(const PpiStyle& style) { return shadeOf(std::numeric_limits<float>::infinity(), false, style); }
 
 void addRadarCells(Drawing& drawing, const RadarCells& cells, const PpiStyle& style) {
   for (int sector = 0; sector < tws::kSectors; ++sector) {

@@ -19,6 +19,9 @@ struct RadarCells {
   std::vector<std::uint8_t> blind;  // 1: the radar sees hardly anything there
 };
 
+/// Of where false plots come most densely.
+Rgba densestShade(const PpiStyle& style);
+
 /// Shades the cells from which false plots come densely, the more the denser (from 3 to 300 on 1000 km² a scan), and
 /// those where the radar is blind.
 void addRadarCells(Drawing& drawing, const RadarCells& cells, const PpiStyle& style);

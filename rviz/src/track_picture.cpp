@@ -64,14 +64,14 @@ void TrackPicture::expire(double time) {
     track = time - track->second.report.published > look_.timeout ? tracks_.erase(track) : std::next(track);
 }
 
-void TrackPicture::draw(Drawing& drawing, double time, const PpiStyle& style, const std::set<std::size_t>& covered) {
+void TrackPicture::draw(TrackLayers& layers, double time, const PpiStyle& style, const std::set<std::size_t>& covered) {
   std::vector<LivingTrack*> shown;
   for (auto& [key, track] : tracks_)
     if (!track.confirmed || covered.count(key.first) == 0) shown.push_back(&track);
   for (const LivingTrack* track : shown)
-    if (!track->report.symbol_only) drawTrail(drawing, *track, time, style);
-  for (const LivingTrack* track : shown) drawSymbol(drawing, track->report, style);
-  drawLabels(drawing, shown, style);
+    if (!track->report.symbol_only) drawTrail(layers.of(track->report), *track, time, style);
+  for (const LivingTrack* track : shown) drawSymbol(layers.of(track->report), track->report, style);
+  drawLabels(layers, shown, style);
 }
 
 void TrackPicture::drawTrail(Drawing& drawing, const LivingTrack& track, double time, const PpiStyle& style) const {
@@ -89,7 +89,7 @@ void TrackPicture::drawSymbol(Drawing& drawing, const TrackReport& report, const
   addTrackSymbol(drawing, report, style);
 }
 
-void TrackPicture::drawLabels(Drawing& drawing, const std::vector<LivingTrack*>& shown, const PpiStyle& style) {
+void TrackPicture::drawLabels(TrackLayers& layers, const std::vector<LivingTrack*>& shown, const PpiStyle& style) {
   std::vector<LabelRequest> requests;
   std::vector<std::pair<LivingTrack*, std::string>> labelled;
   for (LivingTrack* track : shown) {
@@ -103,8 +103,9 @@ void TrackPicture::drawLabels(Drawing& drawing, const std::vector<LivingTrack*>&
   for (std::size_t i = 0; i < labelled.size(); ++i) {
     LivingTrack& track = *labelled[i].first;
     track.side = sides[i];
-    drawing.labels.push_back({track.label, labelCentre(requests[i], sides[i]), style.small_text, labelled[i].second,
-                              colorOf(track.report, style)});
+    layers.of(track.report)
+        .labels.push_back({track.label, labelCentre(requests[i], sides[i]), style.small_text, labelled[i].second,
+                           colorOf(track.report, style)});
   }
 }
 

@@ -48,6 +48,13 @@ struct TrackLook {
   double timeout = 30.0;      // a track without an update for so long vanishes [s]
 };
 
+/// What a picture of tracks is drawn on: tentative tracks can be hidden without the others.
+struct TrackLayers {
+  Drawing tentative, others;
+
+  Drawing& of(const TrackReport& report) { return report.state == TrackState::kTentative ? tentative : others; }
+};
+
 /// All living tracks, of any number of trackers: symbol (a circle, with a dot in it when a secondary radar sees the
 /// aircraft too, a triangle when only that does; squares coast), speed leader, trail and label. A track shows where it
 /// was last reported; it is not moved on in between, so that it stays on its plots.
@@ -63,7 +70,7 @@ class TrackPicture {
   /// Appends trails, leaders, symbols and labels. Dots of trails fade with their age at `time` [s]. Remembers where the
   /// labels stand, so that they stay there.
   /// Of the `covered` sources only what was never firm is drawn: the rest is seen under another source.
-  void draw(Drawing& drawing, double time, const PpiStyle& style, const std::set<std::size_t>& covered = {});
+  void draw(TrackLayers& layers, double time, const PpiStyle& style, const std::set<std::size_t>& covered = {});
 
   /// How many tracks of a tracker are tentative, firm and coasting, in this order.
   std::array<int, 3> counts(std::size_t source) const;
@@ -83,7 +90,7 @@ class TrackPicture {
   void leaveTrail(LivingTrack& track, double time) const;
   void drawTrail(Drawing& drawing, const LivingTrack& track, double time, const PpiStyle& style) const;
   void drawSymbol(Drawing& drawing, const TrackReport& report, const PpiStyle& style) const;
-  void drawLabels(Drawing& drawing, const std::vector<LivingTrack*>& shown, const PpiStyle& style);
+  static void drawLabels(TrackLayers& layers, const std::vector<LivingTrack*>& shown, const PpiStyle& style);
 
   TrackLook look_;
   std::map<std::pair<std::size_t, std::uint32_t>, LivingTrack> tracks_;  // by source and uid

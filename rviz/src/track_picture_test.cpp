@@ -23,9 +23,14 @@ TrackReport report(std::uint32_t uid, TrackState state, double published, double
   return report;
 }
 
-Drawing drawn(TrackPicture& tracks, double time) {
-  Drawing drawing;
-  tracks.draw(drawing, time, kStyle);
+/// Both layers.
+Drawing drawn(TrackPicture& tracks, double time, const std::set<std::size_t>& covered = {}) {
+  TrackLayers layers;
+  tracks.draw(layers, time, kStyle, covered);
+  Drawing drawing = layers.tentative;
+  const Drawing& others = layers.others;
+  drawing.triangles.insert(drawing.triangles.end(), others.triangles.begin(), others.triangles.end());
+  drawing.labels.insert(drawing.labels.end(), others.labels.begin(), others.labels.end());
   return drawing;
 }
 
@@ -121,14 +126,28 @@ TEST(TrackPicture, ThreeKindsOfFirmTracksLookDifferent) {
   EXPECT_EQ(vertices.size(), 3u);
 }
 
+// In rain, a thousand of them hide the aircraft. If this fails, they cannot be switched off alone.
+TEST(TrackPicture, TentativeTracksHaveALayerOfTheirOwn) {
+  TrackPicture tracks(kLook);
+  tracks.add(report(1, TrackState::kTentative, 100.0));
+  TrackLayers layers;
+  tracks.draw(layers, 100.0, kStyle);
+  EXPECT_TRUE(layers.others.triangles.empty() && layers.others.labels.empty());
+  EXPECT_EQ(layers.tentative.labels.size(), 1u);
+  tracks.add(report(1, TrackState::kFirm, 106.0));
+  layers = {};
+  tracks.draw(layers, 106.0, kStyle);
+  EXPECT_TRUE(layers.tentative.triangles.empty() && layers.tentative.labels.empty());
+  EXPECT_EQ(layers.others.labels.size(), 1u);
+}
+
 // A tentative track of a tracker whose tracks are correlated is shown by nobody else.
 TEST(TrackPicture, OfACoveredSourceOnlyWhatWasNeverFirmIsDrawn) {
   TrackPicture tracks(kLook);
   tracks.add(report(1, TrackState::kTentative, 100.0));
   tracks.add(report(2, TrackState::kFirm, 100.0, 60e3));
   tracks.add(report(2, TrackState::kTentative, 106.0, 60e3));
-  Drawing drawing;
-  tracks.draw(drawing, 106.0, kStyle, {0});
+  const Drawing drawing = drawn(tracks, 106.0, {0});
   ASSERT_EQ(drawing.labels.size(), 1u);
   EXPECT_EQ(drawing.labels[0].text, "1");
 }
