@@ -1,8 +1,11 @@
-// The tables that the tracker reads: plots, and clutter maps, which are written and read again.
+// The tables that the tracker reads: plots; and clutter maps with what was learned of radars, which are written, read
+// again and loaded.
 #include <cmath>
 #include <sstream>
 
 #include "clutter/clutter_csv.h"
+#include "clutter/false_plot_map.h"
+#include "core/coverage_map.h"
 #include "fuzzing.h"
 #include "io/plot_csv.h"
 
@@ -28,6 +31,26 @@ void readPlots(const std::string& text) {
   if (plots != table.plots) found("the count of plots is wrong");
 }
 
+std::string written(const adit_tracker::SavedMaps& maps) {
+  std::ostringstream output;
+  adit_tracker::writeClutter(output, maps);
+  return output.str();
+}
+
+/// What is read can be loaded, and then says what makes sense.
+void load(const adit_tracker::RadarCounts& counts) {
+  if (!problemOf(counts).empty()) found("counts of a radar that cannot be loaded");
+  adit_tracker::FalsePlotMap false_plots;
+  adit_tracker::CoverageMap cover;
+  false_plots.load(counts);
+  cover.load(counts);
+  for (const double range : {0.0, 5e3, 50e3, 1e6}) {
+    const double density = false_plots.density(range, 1.0), detection = cover.detection(range, 1.0);
+    if (!(density >= 0.0 && density < INFINITY)) found("a density of false plots that is none");
+    if (!(detection >= 0.0 && detection <= 1.0)) found("a chance of detection that is none");
+  }
+}
+
 void readClutter(const std::string& text) {
   adit_tracker::AditParams params;
   params.radars = {{}, {}};
@@ -35,10 +58,12 @@ void readClutter(const std::string& text) {
   params.radars[1].name = "B";
   const adit_tracker::ClutterLimits limits(params);
   std::istringstream input(text);
-  const auto places = adit_tracker::readClutter(input, kName, limits);
-  std::stringstream again;
-  adit_tracker::writeClutter(again, places);
-  if (adit_tracker::readClutter(again, kName, limits).size() != places.size()) found("a clutter map is not read back");
+  const auto maps = adit_tracker::readClutter(input, kName, limits);
+  std::istringstream again(written(maps));
+  const auto reread = adit_tracker::readClutter(again, kName, limits);
+  if (reread.clutter.size() != maps.clutter.size()) found("a clutter map is not read back");
+  if (written(reread) != again.str()) found("maps change when they are written and read again");
+  for (const adit_tracker::RadarCounts& counts : maps.radars) load(counts);
 }
 
 }  // namespace

@@ -72,7 +72,7 @@ AditParams baseParams(const Options& options) {
 /// All that the tracker gets, found and checked before anything is written.
 struct Input {
   AditParams params;
-  std::vector<ClutterPlace> clutter;
+  SavedMaps maps;
   std::vector<std::unique_ptr<PlotFeed>> feeds;
   bool has_elevations = false;
   bool wants_covariance = false;
@@ -118,7 +118,7 @@ Input inputOf(const Options& options, PlotTable& table) {
     input.last_time = std::max(input.last_time, plots.back().time);
   }
   check(input.params);
-  if (!options.clutter_map.empty()) input.clutter = loadClutterFile(options.clutter_map, ClutterLimits(input.params));
+  if (!options.clutter_map.empty()) input.maps = loadClutterFile(options.clutter_map, ClutterLimits(input.params));
   return input;
 }
 
@@ -131,7 +131,7 @@ class Run {
         adit_(input_.params, [this](const SectorReport& r) { onSector(r); }) {}
 
   void go() {
-    adit_.manual().loadClutter(input_.clutter);
+    adit_.manual().load(input_.maps);
     if (epochs_ > 0.0) epoch_ = std::ceil(input_.first_time / epochs_);
     while (const auto radar = earliest()) {
       pictures(*input_.feeds[*radar]->nextTime());
@@ -149,7 +149,7 @@ class Run {
 
   bool hasFirmTracks() const { return adit_.counts().tracks_firm > 0; }
   std::uint64_t absorbed() const { return adit_.clutter().absorbed(); }
-  std::vector<ClutterPlace> clutter() const { return adit_.clutter().places(); }
+  SavedMaps maps() const { return {adit_.clutter().places(), adit_.radars().counts()}; }
 
   void summary(const PlotTable& table) const {
     const AditCounts& n = adit_.counts();
@@ -226,7 +226,7 @@ void run(const Options& options) {
   tracker.go();
   output.finish();
   if (plots) plots->finish();
-  if (!options.save_clutter_map.empty()) saveClutterFile(options.save_clutter_map, tracker.clutter());
+  if (!options.save_clutter_map.empty()) saveClutterFile(options.save_clutter_map, tracker.maps());
   tracker.summary(table);
   // Who asks for clutter may have nothing else.
   const bool clutter = !(options.clutter_map + options.save_clutter_map).empty() && tracker.absorbed() > 0;
@@ -269,8 +269,10 @@ std::optional<int> parse(Options& options, int argc, char** argv) {
   app.add_flag("--covariance", options.covariance, "write the covariance of position and velocity, too");
   app.add_option("--plots", options.plots,
                  "write what became of each plot, and which tracks wanted it, into this file");
-  app.add_option("--clutter-map", options.clutter_map, "clutter that is known from the start: a file as saved");
-  app.add_option("--save-clutter-map", options.save_clutter_map, "write what is clutter at the end into this file");
+  app.add_option("--clutter-map", options.clutter_map,
+                 "clutter, false plots and cover that are known from the start: a file as saved");
+  app.add_option("--save-clutter-map", options.save_clutter_map,
+                 "write what is known of them at the end into this file");
   app.failure_message([](const CLI::App*, const CLI::Error& error) {
     return std::string("adit_csv: ") + error.what() + " (adit_csv --help says more)\n";
   });

@@ -151,8 +151,9 @@ class ClutterTest(unittest.TestCase):
     def test_a_run_that_loads_the_saved_map_starts_fewer_tracks_on_clutter(self):
         self.assertTrue(self.save_answer.success, self.save_answer.message)
         self.assertGreaterEqual(self.save_answer.count, 2 * 12 - 2)
-        lines = self.saved.read_text().splitlines()
-        self.assertEqual(len(lines), self.save_answer.count + 2)
+        rows = [line for line in self.saved.read_text().splitlines() if not line.startswith("#")][1:]
+        self.assertEqual(len([row for row in rows if row.count(",") == 2]), self.save_answer.count)
+        self.assertGreater(len(rows), self.save_answer.count + 1000, "nothing that was learned of the radars")
         knowing = Run(offline(self.scenario, self.folder / "knowing", "--clutter-map", self.saved, "--duration", "60"))
         rocks = self.bare.places("rock").values()
         bare, knowing_begun = len(self.bare.begun_at(rocks, 40)), len(knowing.begun_at(rocks, 40))

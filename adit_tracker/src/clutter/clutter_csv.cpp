@@ -11,6 +11,8 @@
 #include <tws_core/output_file.h>
 #include <tws_core/units.h>
 
+#include "clutter/radar_counts_csv.h"
+
 namespace adit_tracker {
 namespace {
 
@@ -36,40 +38,54 @@ ClutterPlace placeOf(const tws::CsvTable& table, const Columns& columns) {
   return place;
 }
 
+void writePlace(std::ostream& output, const ClutterPlace& place) {
+  constexpr double kTurn = 360.0 * kAzimuthSteps;
+  const double range = std::max(1.0, std::round(place.range * kRangeSteps)) / kRangeSteps;
+  const double azimuth = std::fmod(std::round(tws::degrees(place.azimuth) * kAzimuthSteps), kTurn) / kAzimuthSteps;
+  char numbers[64];
+  std::snprintf(numbers, sizeof numbers, ",%.1f,%.4f\n", range, azimuth);
+  output << (place.radar.empty() ? kAllRadars : place.radar) << numbers;
+}
+
 }  // namespace
 
-std::vector<ClutterPlace> readClutter(std::istream& input, const std::string& name, ClutterLimits limits) {
+SavedMaps readClutter(std::istream& input, const std::string& name, ClutterLimits limits) {
   tws::CsvTable table(input, name);
   const Columns columns(table);
-  std::vector<ClutterPlace> places;
+  RadarCountsReader cells(table, limits.radars());
+  SavedMaps maps;
   while (table.next()) {
-    places.push_back(placeOf(table, columns));
-    if (const std::string problem = limits.add(places.back()); !problem.empty()) table.fail(problem);
+    if (cells.isCell()) {
+      cells.addCell();
+      continue;
+    }
+    maps.clutter.push_back(placeOf(table, columns));
+    if (const std::string problem = limits.add(maps.clutter.back()); !problem.empty()) table.fail(problem);
   }
-  return places;
+  maps.radars = cells.take();
+  return maps;
 }
 
-void writeClutter(std::ostream& output, const std::vector<ClutterPlace>& places) {
-  output << "# Clutter map: slant range and azimuth (clockwise from true north) from the radar; * is any radar.\n"
-         << kHeader << '\n';
-  const double turn = 360.0 * kAzimuthSteps;
-  for (const ClutterPlace& place : places) {
-    const double range = std::max(1.0, std::round(place.range * kRangeSteps)) / kRangeSteps;
-    const double azimuth = std::fmod(std::round(tws::degrees(place.azimuth) * kAzimuthSteps), turn) / kAzimuthSteps;
-    char numbers[64];
-    std::snprintf(numbers, sizeof numbers, ",%.1f,%.4f\n", range, azimuth);
-    output << (place.radar.empty() ? kAllRadars : place.radar) << numbers;
-  }
+void writeClutter(std::ostream& output, const SavedMaps& maps) {
+  output << "# Clutter map: slant range and azimuth (clockwise from true north) from the radar; * is any radar.\n";
+  if (!maps.radars.empty())
+    output
+        << "# Rows with a depth, what was learned of a radar: from where a cell begins, so many false plots came in so "
+           "many\n"
+           "# scans; targets were seen on so many of these looks. The last cell of a sector is all that lies beyond.\n";
+  output << kHeader << (maps.radars.empty() ? "" : kRadarCountsColumns) << '\n';
+  for (const ClutterPlace& place : maps.clutter) writePlace(output, place);
+  for (const RadarCounts& counts : maps.radars) writeRadarCounts(output, counts);
 }
 
-std::vector<ClutterPlace> loadClutterFile(const std::string& path, const ClutterLimits& limits) {
+SavedMaps loadClutterFile(const std::string& path, const ClutterLimits& limits) {
   std::istringstream input(tws::readRegularFile(path, kMostBytes));
   return readClutter(input, path, limits);
 }
 
-void saveClutterFile(const std::string& path, const std::vector<ClutterPlace>& places) {
+void saveClutterFile(const std::string& path, const SavedMaps& maps) {
   tws::OutputFile output(path);
-  writeClutter(output.stream(), places);
+  writeClutter(output.stream(), maps);
   output.finish();
 }
 

@@ -29,7 +29,7 @@ ClutterLimits limits(std::uint32_t capacity = 1000, bool per_radar = true) {
 
 std::vector<ClutterPlace> read(const std::string& text, const ClutterLimits& taken = limits()) {
   std::istringstream input(text);
-  return readClutter(input, "map.csv", taken);
+  return readClutter(input, "map.csv", taken).clutter;
 }
 
 std::string complaintAbout(const std::string& text, const ClutterLimits& taken = limits()) {
@@ -43,7 +43,7 @@ std::string complaintAbout(const std::string& text, const ClutterLimits& taken =
 
 std::string written(const std::vector<ClutterPlace>& places) {
   std::ostringstream output;
-  writeClutter(output, places);
+  writeClutter(output, {places, {}});
   return output.str();
 }
 
@@ -179,9 +179,9 @@ class ClutterFile : public testing::Test {
 };
 
 TEST_F(ClutterFile, IsReplacedAsAWholeAndNothingElseIsLeft) {
-  saveClutterFile(path_, {{"sps12", 1000.0, 1.0}, {"sps39", 2000.0, 2.0}});
-  saveClutterFile(path_, {{"sps12", 3000.0, 0.0}});
-  EXPECT_EQ(loadClutterFile(path_, limits()), (std::vector<ClutterPlace>{{"sps12", 3000.0, 0.0}}));
+  saveClutterFile(path_, {{{"sps12", 1000.0, 1.0}, {"sps39", 2000.0, 2.0}}, {}});
+  saveClutterFile(path_, {{{"sps12", 3000.0, 0.0}}, {}});
+  EXPECT_EQ(loadClutterFile(path_, limits()).clutter, (std::vector<ClutterPlace>{{"sps12", 3000.0, 0.0}}));
   const std::filesystem::directory_iterator files(folder_);
   EXPECT_EQ(std::distance(begin(files), end(files)), 1);
 }

@@ -52,20 +52,20 @@ std::string ClutterFolder::pathOf(const std::string& name) const {
   return (fs::path(folder_) / name).string();
 }
 
-std::vector<ClutterPlace> ClutterFolder::load(const std::string& name, const ClutterLimits& limits) {
-  const auto places = std::make_shared<std::vector<ClutterPlace>>();
-  within([path = pathOf(name), limits, places] {
+SavedMaps ClutterFolder::load(const std::string& name, const ClutterLimits& limits) {
+  const auto maps = std::make_shared<SavedMaps>();
+  within([path = pathOf(name), limits, maps] {
     if (fs::is_symlink(path)) throw std::runtime_error(path + ": cannot be read: it is no regular file");
-    *places = loadClutterFile(path, limits);
+    *maps = loadClutterFile(path, limits);
   });
-  return *places;
+  return *maps;
 }
 
-void ClutterFolder::save(const std::string& name, const std::vector<ClutterPlace>& places) {
-  within([folder = folder_, path = pathOf(name), places] {
+void ClutterFolder::save(const std::string& name, const SavedMaps& maps) {
+  within([folder = folder_, path = pathOf(name), maps] {
     fs::create_directories(folder);
     checkCount(folder, path);
-    saveClutterFile(path, places);
+    saveClutterFile(path, maps);
   });
 }
 

@@ -4,9 +4,8 @@
 #include <functional>
 #include <memory>
 #include <string>
-#include <vector>
 
-#include "clutter/clutter_places.h"
+#include "clutter/saved_maps.h"
 
 namespace adit_tracker {
 
@@ -22,8 +21,8 @@ class ClutterFolder {
   explicit ClutterFolder(const std::string& folder);
 
   /// Throw std::runtime_error with the reason.
-  std::vector<ClutterPlace> load(const std::string& name, const ClutterLimits& limits);
-  void save(const std::string& name, const std::vector<ClutterPlace>& places);
+  SavedMaps load(const std::string& name, const ClutterLimits& limits);
+  void save(const std::string& name, const SavedMaps& maps);
 
   /// The whole path of a name. Throws std::runtime_error when it is none.
   std::string pathOf(const std::string& name) const;

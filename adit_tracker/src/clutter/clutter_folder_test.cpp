@@ -40,12 +40,12 @@ class ClutterFolderTest : public testing::Test {
   const fs::path root_ = temporary_.path();
   const fs::path maps_ = root_ / "maps";
   ClutterFolder folder_{maps_};
-  const std::vector<ClutterPlace> places_{{"", 1000.0, 0.0}};
+  const SavedMaps maps_to_save_{{{"", 1000.0, 0.0}}, {}};
 };
 
 TEST_F(ClutterFolderTest, WhatIsSavedIsLoadedAndTheFolderIsMade) {
-  folder_.save("the harbour's, März.csv", places_);
-  EXPECT_EQ(folder_.load("the harbour's, März.csv", limits()), places_);
+  folder_.save("the harbour's, März.csv", maps_to_save_);
+  EXPECT_EQ(folder_.load("the harbour's, März.csv", limits()).clutter, maps_to_save_.clutter);
   EXPECT_EQ(folder_.pathOf("a"), (maps_ / "a").string());
 }
 
@@ -53,12 +53,12 @@ TEST_F(ClutterFolderTest, WhatIsSavedIsLoadedAndTheFolderIsMade) {
 TEST_F(ClutterFolderTest, NoNameLeadsOutOfTheFolder) {
   std::ofstream(root_ / "secret") << "secret";
   for (const std::string name : {"../secret", "/etc/passwd", "a/../../secret", ".", "..", ".hidden", "a\nb"}) {
-    EXPECT_NE(complaint([&] { folder_.save(name, places_); }).find("path must be the name of a file in"),
+    EXPECT_NE(complaint([&] { folder_.save(name, maps_to_save_); }).find("path must be the name of a file in"),
               std::string::npos)
         << name;
     EXPECT_NE(complaint([&] { folder_.load(name, limits()); }), "") << name;
   }
-  EXPECT_EQ(complaint([&] { folder_.save("", places_); }), "path is empty");
+  EXPECT_EQ(complaint([&] { folder_.save("", maps_to_save_); }), "path is empty");
   EXPECT_EQ(fs::file_size(root_ / "secret"), 6U);
 }
 
@@ -72,7 +72,7 @@ TEST_F(ClutterFolderTest, LinksPipesAndDevicesAreNeitherReadNorReplaced) {
   for (const char* name : {"link", "zero", "pipe"}) {
     const std::string path = folder_.pathOf(name);
     EXPECT_EQ(complaint([&] { folder_.load(name, limits()); }), path + ": cannot be read: it is no regular file");
-    EXPECT_EQ(complaint([&] { folder_.save(name, places_); }),
+    EXPECT_EQ(complaint([&] { folder_.save(name, maps_to_save_); }),
               path + ": cannot be written: it exists and is no regular file");
   }
   EXPECT_EQ(fs::file_size(root_ / "secret"), 21U);
@@ -86,10 +86,10 @@ TEST_F(ClutterFolderTest, AFileWithoutEndIsRefused) {
 }
 
 TEST_F(ClutterFolderTest, TheFolderDoesNotGrowWithoutEnd) {
-  folder_.save("a", places_);
+  folder_.save("a", maps_to_save_);
   for (std::size_t i = 1; i < ClutterFolder::kMostFiles; ++i) std::ofstream(maps_ / std::to_string(i));
-  EXPECT_NE(complaint([&] { folder_.save("b", places_); }).find("remove some"), std::string::npos);
-  EXPECT_EQ(complaint([&] { folder_.save("a", places_); }), "");
+  EXPECT_NE(complaint([&] { folder_.save("b", maps_to_save_); }).find("remove some"), std::string::npos);
+  EXPECT_EQ(complaint([&] { folder_.save("a", maps_to_save_); }), "");
 }
 
 // If this fails, a disk in the network that is gone stops the tracker at the first request, or at each one.
@@ -103,10 +103,10 @@ TEST_F(ClutterFolderTest, ADiskThatDoesNotAnswerCostsTheTimeLimitOnce) {
   EXPECT_NE(complaint([&] { folder_.within(hang); }).find("the disk has not answered for 1.0 s"), std::string::npos);
   const double first = elapsed();
   EXPECT_GE(first, ClutterFolder::kTimeLimit);
-  EXPECT_NE(complaint([&] { folder_.save("a", places_); }).find("earlier work is not done"), std::string::npos);
+  EXPECT_NE(complaint([&] { folder_.save("a", maps_to_save_); }).find("earlier work is not done"), std::string::npos);
   EXPECT_LT(elapsed() - first, 0.5 * ClutterFolder::kTimeLimit);
   *go = true;
-  while (!complaint([&] { folder_.save("a", places_); }).empty()) ASSERT_LT(elapsed(), 30.0);
+  while (!complaint([&] { folder_.save("a", maps_to_save_); }).empty()) ASSERT_LT(elapsed(), 30.0);
 }
 
 TEST_F(ClutterFolderTest, WithoutAParameterItIsInRosFolder) {

@@ -10,9 +10,7 @@
 namespace adit_tracker {
 namespace {
 
-using Message = tws_msgs::OperatorRequest;
-
-std::vector<ClutterPlace> readStart(const std::string& node, const std::string& file, const ClutterLimits& limits) {
+SavedMaps readStart(const std::string& node, const std::string& file, const ClutterLimits& limits) {
   if (file.empty()) return {};
   try {
     return loadClutterFile(file, limits);
@@ -37,10 +35,13 @@ ClutterInterface::ClutterInterface(tws_runtime::Bus& bus, OperatorInterface& ope
 }
 
 void ClutterInterface::beginRun() {
-  if (at_start_.empty()) return;
+  if (!at_start_.empty()) operators_.askAtStart(loadMessage(at_start_));
+}
+
+ClutterInterface::Message ClutterInterface::loadMessage(const SavedMaps& maps) const {
   Message message = operators_.blank(Message::LOAD_CLUTTER);
-  message.clutter = clutterPoints(at_start_);
-  operators_.askAtStart(message);
+  setMaps(message, maps);
+  return message;
 }
 
 bool ClutterInterface::save(const tws_msgs::SaveClutterMap::Request& request,
@@ -48,10 +49,10 @@ bool ClutterInterface::save(const tws_msgs::SaveClutterMap::Request& request,
   try {
     const Adit* const adit = adit_();
     if (adit == nullptr) throw std::runtime_error("no sector has been processed yet");
-    const std::vector<ClutterPlace> places = adit->clutter().places();
-    folder_.save(request.path, places);
-    response.count = static_cast<std::uint32_t>(places.size());
-    response.message = std::to_string(places.size()) + " points saved to " + folder_.pathOf(request.path);
+    const SavedMaps maps{adit->clutter().places(), adit->radars().counts()};
+    folder_.save(request.path, maps);
+    response.count = static_cast<std::uint32_t>(maps.clutter.size());
+    response.message = inWords(maps, maps.clutter.size()) + " saved to " + folder_.pathOf(request.path);
     response.success = 1;
   } catch (const std::exception& error) {
     response.message = error.what();
@@ -61,19 +62,19 @@ bool ClutterInterface::save(const tws_msgs::SaveClutterMap::Request& request,
 
 bool ClutterInterface::load(const tws_msgs::LoadClutterMap::Request& request,
                             tws_msgs::LoadClutterMap::Response& response) {
-  Message message = operators_.blank(Message::LOAD_CLUTTER);
+  SavedMaps maps;
   std::string problem;
   try {
-    message.clutter = clutterPoints(folder_.load(request.path, limits_));
+    maps = folder_.load(request.path, limits_);
   } catch (const std::exception& error) {
     problem = error.what();
   }
-  message = operators_.ask(message, problem).message;
+  const Message message = operators_.ask(loadMessage(maps), problem).message;
   response.success = message.result == Message::OK;
   response.count = message.count;
   response.message = message.message;
   if (!response.success) return true;
-  response.message = std::to_string(message.count) + " points loaded from " + folder_.pathOf(request.path);
+  response.message = inWords(maps, message.count) + " loaded from " + folder_.pathOf(request.path);
   if (message.count < message.clutter.size()) response.message += "; the others got no clutter number, all are in use";
   return true;
 }

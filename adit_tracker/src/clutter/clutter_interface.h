@@ -6,10 +6,9 @@
 
 #include <functional>
 #include <string>
-#include <vector>
 
 #include "clutter/clutter_folder.h"
-#include "clutter/clutter_places.h"
+#include "clutter/saved_maps.h"
 #include "operator/operator_interface.h"
 
 namespace adit_tracker {
@@ -20,8 +19,8 @@ struct ClutterFiles {
   std::string at_start, folder;
 };
 
-/// Saves and loads clutter maps: services, and the file that a run starts with. Loading goes through the operator's
-/// port, so that a replay repeats it, without the file.
+/// Saves and loads clutter maps, and with them what was learned of the radars: services, and the file that a run starts
+/// with. Loading goes through the operator's port, so that a replay repeats it, without the file.
 class ClutterInterface {
  public:
   /// `adit`: the tracker as it is; nullptr: it has not processed a sector yet. Throws tws_runtime::ParameterError when
@@ -33,14 +32,17 @@ class ClutterInterface {
   void beginRun();
 
  private:
+  using Message = OperatorInterface::Message;
+
   bool save(const tws_msgs::SaveClutterMap::Request& request, tws_msgs::SaveClutterMap::Response& response);
+  Message loadMessage(const SavedMaps& maps) const;
   bool load(const tws_msgs::LoadClutterMap::Request& request, tws_msgs::LoadClutterMap::Response& response);
 
   OperatorInterface& operators_;
   ClutterLimits limits_;
   ClutterFolder folder_;
   std::function<const Adit*()> adit_;
-  std::vector<ClutterPlace> at_start_;
+  SavedMaps at_start_;
 };
 
 }  // namespace adit_tracker

@@ -75,7 +75,7 @@ TEST_F(ClutterInterfaceTest, WhatIsSavedInOneRunIsThereInTheNextFromTheStart) {
   first.play(radars, 0.0, 100.0);
   const auto saved = save(first, "map.csv");
   EXPECT_TRUE(saved.success);
-  EXPECT_EQ(saved.message, std::to_string(saved.count) + " points saved to " + path_);
+  EXPECT_EQ(saved.message, std::to_string(saved.count) + " points and the maps of 2 radars saved to " + path_);
   EXPECT_GE(saved.count, 20U);
   NodeGraph second(with_file_);
   second.play(radars, 0.0, 30.0);
@@ -90,6 +90,7 @@ TEST_F(ClutterInterfaceTest, WhatIsSavedInOneRunIsThereInTheNextFromTheStart) {
   ASSERT_FALSE(second.told.empty());
   EXPECT_EQ(second.told[0].request, Request::LOAD_CLUTTER);
   EXPECT_EQ(second.told[0].clutter.size(), saved.count);
+  EXPECT_EQ(second.told[0].radar_counts.size(), 2U);
   EXPECT_EQ(second.told[0].radar, "");
   EXPECT_EQ(second.told[0].result, Request::OK);
 }
@@ -137,6 +138,30 @@ TEST_F(ClutterInterfaceTest, AReplayRepeatsTheMapThatTheRunBeganWith) {
   late.recorded.publish(run.told[0]);
   late.play(radars, 10.0, 60.0);
   EXPECT_EQ(late.count("late recorded requests"), 1U);
+}
+
+// If this fails, a replay lacks what the run knew of its radars.
+TEST_F(ClutterInterfaceTest, AReplayRepeatsWhatWasLearnedOfTheRadars) {
+  const RadarSectors radars = scene(100.0);
+  NodeGraph first("{" + in_folder_ + "}");
+  first.play(radars, 0.0, 100.0);
+  save(first, "map.csv");
+  NodeGraph run(with_file_);
+  run.play(radars, 0.0, 60.0);
+  ASSERT_EQ(run.told.size(), 1U);
+  NodeGraph again(with_file_);  // told by the recording and by the parameter
+  std::filesystem::remove(path_);
+  NodeGraph replay, points;
+  Request without = run.told[0];
+  without.radar_counts.clear();
+  points.recorded.publish(without);
+  for (NodeGraph* node : {&again, &replay}) node->recorded.publish(run.told[0]);
+  for (NodeGraph* node : {&again, &replay, &points}) node->play(radars, 0.0, 60.0);
+  for (NodeGraph* node : {&again, &replay}) {
+    EXPECT_TRUE(NodeGraph::bytesOf(node->tracks) == NodeGraph::bytesOf(run.tracks));
+    EXPECT_TRUE(NodeGraph::bytesOf(node->told) == NodeGraph::bytesOf(run.told));
+  }
+  EXPECT_TRUE(NodeGraph::bytesOf(points.tracks) != NodeGraph::bytesOf(run.tracks)) << "it changed nothing";
 }
 
 TEST_F(ClutterInterfaceTest, ANewRunBeginsWithTheMapAgain) {

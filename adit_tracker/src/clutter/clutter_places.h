@@ -23,6 +23,8 @@ class ClutterLimits {
 
   /// Why one more place cannot be used; empty: it can, and is counted.
   std::string add(const ClutterPlace& place);
+  /// The names of those that there are.
+  const std::vector<std::string>& radars() const { return radars_; }
 
  private:
   std::vector<std::string> radars_;

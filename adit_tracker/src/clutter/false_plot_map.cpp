@@ -12,6 +12,7 @@ constexpr double kFirstGuess = 5.0;       // false plots a scan, before any have
 constexpr double kGuessScans = 0.5;       // … and how many scans that counts for
 constexpr double kLeastFalsePlots = 0.5;  // a scan
 constexpr double kPriorPlots = 2.0;       // weight of what a larger cell says
+constexpr double kLoadedScans = 1.0;      // what was saved counts for: what has changed shows in two or three
 
 }  // namespace
 
@@ -34,20 +35,28 @@ void FalsePlotMap::widen() {
 
 void FalsePlotMap::add(int sector, double range, double chance) { at(0, sector, binOf(range)).plots += chance; }
 
+double FalsePlotMap::areaOf(int bin) const {
+  const double from = bin * bins_.depth(), to = std::min((bin + 1) * bins_.depth(), greatest_range_);
+  return std::max(0.0, 0.5 * tws::kSectorWidth * (to * to - from * from));
+}
+
 void FalsePlotMap::close(int sector) {
+  const int last = binOf(greatest_range_);
+  for (int bin = 0; bin <= last; ++bin) {
+    Cell& cell = at(0, sector, bin);
+    cell.plots *= kKept;
+    cell.exposure = kKept * (cell.exposure + areaOf(bin));
+  }
+  total(sector);
+}
+
+/// What the cells of a sector hold is summed up.
+void FalsePlotMap::total(int sector) {
   Cell& total = sectors_[static_cast<std::size_t>(sector)];
   all_ += {-total.plots, -total.exposure};
   total = {};
   const int last = binOf(greatest_range_);
-  double from = 0.0;
-  for (int bin = 0; bin <= last; ++bin) {
-    const double to = std::min((bin + 1) * bins_.depth(), greatest_range_);
-    Cell& cell = at(0, sector, bin);
-    cell.plots *= kKept;
-    cell.exposure = kKept * (cell.exposure + 0.5 * tws::kSectorWidth * (to * to - from * from));
-    total += cell;
-    from = to;
-  }
+  for (int bin = 0; bin <= last; ++bin) total += at(0, sector, bin);
   all_ += total;
   sumUp(sector);
   everywhere_ = std::max(kLeastFalsePlots, perScan()) / area();
@@ -91,6 +100,52 @@ double FalsePlotMap::densityAround(double plots, double density, double range, d
 double FalsePlotMap::density(double range, double azimuth) const {
   const int sector = tws::sectorOf(azimuth);
   return isNew(sector) ? perScan() / area() : estimate(sector, binOf(range), 0.0);
+}
+
+void FalsePlotMap::save(RadarCounts& counts) const {
+  counts.greatest_range = greatest_range_;
+  counts.false_plots.depth = bins_.depth();
+  for (int sector = 0; sector < tws::kSectors; ++sector) {
+    for (int bin = 0; bin < kBins; ++bin) {
+      const Cell& cell = cells_[indexOf(0, sector, bin)];
+      const double area = areaOf(bin);
+      if (area > 0.0)
+        counts.false_plots.at(sector, bin) = {static_cast<float>(cell.plots), static_cast<float>(cell.exposure / area)};
+    }
+  }
+}
+
+/// A map that has shown just that.
+FalsePlotMap FalsePlotMap::mapOf(const RadarCounts& counts) {
+  FalsePlotMap map;
+  map.bins_ = RangeBins(counts.false_plots.depth);
+  map.greatest_range_ = counts.greatest_range;
+  for (int sector = 0; sector < tws::kSectors; ++sector) {
+    for (int bin = 0; bin < kBins; ++bin) {
+      const CellCount& cell = counts.false_plots.at(sector, bin);
+      const double exposure = static_cast<double>(cell.looks) * map.areaOf(bin);
+      if (exposure > 0.0) map.at(0, sector, bin) = {static_cast<double>(cell.count), exposure};
+    }
+  }
+  return map;
+}
+
+void FalsePlotMap::load(const RadarCounts& counts) {
+  FalsePlotMap loaded = mapOf(counts);
+  while (loaded.bins_.depth() < bins_.depth()) loaded.widen();
+  while (bins_.depth() < loaded.bins_.depth()) widen();
+  greatest_range_ = std::max(greatest_range_, loaded.greatest_range_);
+  for (int sector = 0; sector < tws::kSectors; ++sector) {
+    for (int bin = 0; bin <= binOf(greatest_range_); ++bin) topUp(sector, bin, loaded.at(0, sector, bin));
+    total(sector);
+  }
+}
+
+void FalsePlotMap::topUp(int sector, int bin, const Cell& loaded) {
+  if (loaded.exposure == 0.0) return;
+  Cell& cell = at(0, sector, bin);
+  const double share = std::clamp((kLoadedScans * areaOf(bin) - cell.exposure) / loaded.exposure, 0.0, 1.0);
+  cell += {share * loaded.plots, share * loaded.exposure};
 }
 
 double FalsePlotMap::perScan() const {

@@ -6,6 +6,7 @@
 
 #include <tws_core/sectors.h>
 
+#include "core/radar_counts.h"
 #include "core/range_bins.h"
 
 namespace adit_tracker {
@@ -50,6 +51,12 @@ class FalsePlotMap {
   /// The farthest plot so far, at least 10 km [m].
   double greatestRange() const { return greatest_range_; }
 
+  /// Writes what has been counted, and the greatest range.
+  void save(RadarCounts& counts) const;
+  /// As if that had been seen, without problems (see problemOf): as on one scan at most, and nothing where one was
+  /// made.
+  void load(const RadarCounts& counts);
+
  private:
   static constexpr int kBins = RangeBins::kBins;
   static constexpr int kLevels = 5;       // cells of 1, 2, 4, 8, 16 sectors and bins
@@ -77,7 +84,12 @@ class FalsePlotMap {
   Cell& at(int level, int sector, int bin) { return cells_[indexOf(level, sector, bin)]; }
   void widen();
   void sumUp(int sector);
+  void total(int sector);
+  /// Of a cell of that bin, as far as it is covered [m²].
+  double areaOf(int bin) const;
   double estimate(int sector, int bin, double left_out) const;
+  static FalsePlotMap mapOf(const RadarCounts& counts);
+  void topUp(int sector, int bin, const Cell& loaded);
 
   double greatest_range_;
   RangeBins bins_;

@@ -116,5 +116,81 @@ TEST_F(FalsePlotMapTest, KeepsWhatItKnowsWhenARadarSeesFarther) {
   EXPECT_GT(inPatch(), 0.3 * then);
 }
 
+// If this fails, a tracker begins each day with the tracks that yesterday's rain and land have started.
+TEST_F(FalsePlotMapTest, WhatWasSavedIsThereFromTheFirstScan) {
+  scan(20, 20.0, 100.0);
+  RadarCounts counts;
+  map_.save(counts);
+  FalsePlotMap next;
+  next.load(counts);
+  EXPECT_EQ(problemOf(counts), "");
+  EXPECT_DOUBLE_EQ(next.greatestRange(), map_.greatestRange());
+  EXPECT_NEAR(next.perScan(), map_.perScan(), 0.4 * map_.perScan());  // the first guess weighs half a scan
+  const double then = inPatch();
+  map_ = next;
+  EXPECT_NEAR(inPatch(), then, 0.3 * then);
+  EXPECT_LT(at(35e3, 40) * kDisk, 60.0);
+}
+
+// If this fails, yesterday's map holds against what is seen today.
+TEST_F(FalsePlotMapTest, WhatWasSavedGivesWayInAFewScans) {
+  scan(20, 20.0, 100.0);
+  RadarCounts counts;
+  map_.save(counts);
+  const double then = inPatch();
+  map_ = FalsePlotMap();
+  map_.load(counts);
+  scan(8, 20.0, 0.0);
+  EXPECT_LT(inPatch(), 0.15 * then);
+}
+
+TEST_F(FalsePlotMapTest, OneScanOfItsOwnIsBetterThanWhatWasSaved) {
+  scan(20, 20.0, 100.0);
+  RadarCounts counts;
+  map_.save(counts);
+  map_ = FalsePlotMap();
+  map_.addRange(100e3);
+  scan(2, 20.0, 0.0);
+  const double seen = inPatch();
+  map_.load(counts);
+  EXPECT_DOUBLE_EQ(inPatch(), seen);
+}
+
+// If this fails, a map saved by a radar that has once seen farther stands at wrong ranges, or the other way round.
+TEST_F(FalsePlotMapTest, IsLoadedIntoBinsOfAnotherDepth) {
+  scan(20, 20.0, 100.0);
+  const double then = inPatch();
+  RadarCounts fine, coarse;
+  map_.save(fine);
+  map_.addRange(190e3);
+  map_.save(coarse);
+  EXPECT_GT(coarse.false_plots.depth, fine.false_plots.depth);
+  FalsePlotMap far, near;
+  far.addRange(300e3);
+  far.load(fine);
+  near.load(coarse);
+  for (const FalsePlotMap& map : {far, near}) {
+    map_ = map;
+    EXPECT_GT(inPatch(), 0.3 * then);
+    EXPECT_LT(at(70e3, 9), 0.5 * inPatch());
+  }
+}
+
+// If this fails, a map of hostile numbers stops the tracker or spreads numbers that are none.
+TEST_F(FalsePlotMapTest, TheExtremesOfWhatIsAllowedDoNoHarm) {
+  for (const CellCount cell : {CellCount{1e5F, 1e-30F}, CellCount{0.0F, 100.0F}, CellCount{1e5F, 0.0F}}) {
+    RadarCounts counts;
+    counts.greatest_range = 1e7;
+    counts.false_plots.depth = 160e3;
+    counts.false_plots.cells.assign(CellCounts::kCells, cell);
+    ASSERT_EQ(problemOf(counts), "");
+    map_ = FalsePlotMap();
+    map_.load(counts);
+    scan(1, 20.0, 0.0);
+    EXPECT_TRUE(std::isfinite(map_.perScan()) && map_.perScan() >= 0.0);
+    for (const double range : {0.0, 50e3, 9e6}) EXPECT_TRUE(std::isfinite(at(range, 9)) && at(range, 9) > 0.0) << range;
+  }
+}
+
 }  // namespace
 }  // namespace adit_tracker

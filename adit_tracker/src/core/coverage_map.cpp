@@ -13,6 +13,9 @@ constexpr double kPriorLooks = 3.0;             // weight of what a larger cell 
 constexpr double kPriorOfRange = 4.0;           // weight of what the range before says
 constexpr float kRemembered = 64.0F;            // looks, in each smallest cell
 constexpr float kSaid[] = {4.0F, 8.0F, 16.0F};  // looks, at most, that a cell says to the larger one
+// Of a cell, that what was saved counts for at most. Fewer detections than misses: the first show at once that it is
+// wrong.
+constexpr float kLoadedLooks = 24.0F, kLoadedSeen = 4.0F;
 constexpr double kEverywhereGain = 0.03;
 constexpr double kGood = 0.5;   // of all looks: a radar that is on sees so many targets
 constexpr double kBlind = 0.2;  // chance of detection
@@ -116,6 +119,41 @@ bool CoverageMap::isBeyond(double range) const {
   }
   const double from = first * bins_.depth(), outside = range * range - farthest_ * farthest_;
   return plots * outside > kEnough * (farthest_ * farthest_ - from * from);
+}
+
+void CoverageMap::save(RadarCounts& counts) const {
+  counts.cover.depth = bins_.depth();
+  for (int sector = 0; sector < tws::kSectors; ++sector) {
+    for (int bin = 0; bin <= kBins; ++bin) {
+      const Cell& cell = at(0, sector, bin);
+      counts.cover.at(sector, bin) = {cell.seen, cell.looks};
+    }
+  }
+}
+
+void CoverageMap::load(const RadarCounts& counts) {
+  CoverageMap loaded;
+  loaded.bins_ = RangeBins(counts.cover.depth);
+  for (int sector = 0; sector < tws::kSectors; ++sector) {
+    for (int bin = 0; bin <= kBins; ++bin) {
+      const CellCount& cell = counts.cover.at(sector, bin);
+      loaded.cells_[indexOf(0, sector, bin)] = {cell.count, cell.looks};
+    }
+  }
+  while (loaded.bins_.depth() < bins_.depth()) loaded.widen();
+  while (bins_.depth() < loaded.bins_.depth()) widen();
+  for (std::size_t i = 0; i < indexOf(1, 0, 0); ++i) {
+    topUp(cells_[i], loaded.cells_[i]);
+    has_looked_ = has_looked_ || cells_[i].looks > 0.0F;
+  }
+  sumUp();
+}
+
+void CoverageMap::topUp(Cell& cell, const Cell& loaded) {
+  if (loaded.looks <= 0.0F) return;
+  float share = std::clamp((kLoadedLooks - cell.looks) / loaded.looks, 0.0F, 1.0F);
+  if (loaded.seen > 0.0F) share = std::min(share, std::max(0.0F, (kLoadedSeen - cell.seen) / loaded.seen));
+  cell += {share * loaded.seen, share * loaded.looks};
 }
 
 bool CoverageMap::isBlind(double range, double azimuth) const {

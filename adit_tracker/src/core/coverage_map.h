@@ -6,6 +6,7 @@
 
 #include <tws_core/sectors.h>
 
+#include "core/radar_counts.h"
 #include "core/range_bins.h"
 
 namespace adit_tracker {
@@ -41,6 +42,11 @@ class CoverageMap {
   /// Has the beam met any target yet?
   bool hasLooked() const { return has_looked_; }
 
+  /// Writes what targets have shown.
+  void save(RadarCounts& counts) const;
+  /// As if that had been seen, without problems (see problemOf): a few looks a cell, less those made already.
+  void load(const RadarCounts& counts);
+
  private:
   static constexpr int kBins = RangeBins::kBins;
   static constexpr int kLevels = 4;  // cells of 1, 4, 16, 64 sectors
@@ -71,6 +77,7 @@ class CoverageMap {
   Cell saidBy(int level, int sector, int bin) const;
   void sumUp(int sector, int bin);
   void sumUp();
+  static void topUp(Cell& cell, const Cell& loaded);
   void widen();
   bool isBeyond(double range) const;
 

@@ -124,5 +124,40 @@ TEST_F(CoverageMapTest, FiveMissesOfOneTrackBlindNothing) {
   for (double azimuth = 0.05; azimuth < tws::kTwoPi; azimuth += 0.1) EXPECT_FALSE(map_.isBlind(80e3, azimuth));
 }
 
+// If this fails, each run learns anew where the radar sees nothing.
+TEST_F(CoverageMapTest, WhatWasSavedIsKnownAndGivesWay) {
+  const double blind = 10.5 * tws::kSectorWidth;
+  for (int i = 0; i < 60; ++i) {
+    flyOut(anyAzimuth(), 100e3, 106e3);
+    if (i % 2 == 0) flyOut(blind, 0.0, 100e3);
+  }
+  RadarCounts counts;
+  map_.save(counts);
+  EXPECT_EQ(problemOf(counts), "");
+  CoverageMap next;
+  next.load(counts);
+  EXPECT_TRUE(next.hasLooked());
+  EXPECT_TRUE(next.isBlind(60e3, blind));
+  EXPECT_TRUE(next.isBlind(104e3, 3.0));
+  EXPECT_FALSE(next.isBlind(60e3, 40.5 * tws::kSectorWidth));
+  next.load(counts);  // once more
+  for (int i = 0; i < 3; ++i) next.look(60e3, blind, 1.0, 1.0);
+  EXPECT_FALSE(next.isBlind(60e3, blind));
+}
+
+TEST_F(CoverageMapTest, IsLoadedIntoBinsOfAnotherDepth) {
+  for (int i = 0; i < 60; ++i) flyOut(anyAzimuth(), 100e3, 106e3);
+  RadarCounts counts;
+  map_.save(counts);
+  CoverageMap far;
+  for (int i = 0; i < 3; ++i) far.addPlot(300e3, 1.0, 0.0);
+  far.load(counts);
+  EXPECT_FALSE(far.isBlind(80e3, 3.0));
+  far.save(counts);
+  CoverageMap next;
+  next.load(counts);
+  EXPECT_FALSE(next.isBlind(80e3, 3.0));
+}
+
 }  // namespace
 }  // namespace adit_tracker

@@ -29,4 +29,11 @@ std::optional<TrackFile::Slot> ManualControl::start(double range, double azimuth
   return slot;
 }
 
+std::size_t ManualControl::load(const SavedMaps& maps) {
+  radars_.check(maps.radars);
+  const std::size_t refused = clutter_.load(maps.clutter, tracks_.latest().enter_time);
+  radars_.load(maps.radars);
+  return refused;
+}
+
 }  // namespace adit_tracker

@@ -2,9 +2,9 @@
 
 #include <cstddef>
 #include <optional>
-#include <vector>
 
 #include "clutter/clutter_maps.h"
+#include "clutter/saved_maps.h"
 #include "core/next_meeting.h"
 #include "core/track_book.h"
 
@@ -14,7 +14,7 @@ namespace adit_tracker {
 class ManualControl {
  public:
   /// All are to outlive it.
-  ManualControl(TrackBook& tracks, NextMeeting& meeting, ClutterMaps& clutter, const Radars& radars)
+  ManualControl(TrackBook& tracks, NextMeeting& meeting, ClutterMaps& clutter, Radars& radars)
       : tracks_(tracks), meeting_(meeting), clutter_(clutter), radars_(radars) {}
 
   void handOff(TrackFile::Slot slot, bool on) { tracks_.at(slot).handed_off = on; }
@@ -23,16 +23,14 @@ class ManualControl {
   /// [m]. Nothing: all numbers are in use, which is counted.
   std::optional<TrackFile::Slot> start(double range, double azimuth, double sigma);
   void drop(TrackFile::Slot slot) { tracks_.dropByHand(slot); }
-  /// See ClutterMaps::load.
-  std::size_t loadClutter(const std::vector<ClutterPlace>& places) {
-    return clutter_.load(places, tracks_.latest().enter_time);
-  }
+  /// All or nothing. See ClutterMaps::load and Radars::load.
+  std::size_t load(const SavedMaps& maps);
 
  private:
   TrackBook& tracks_;
   NextMeeting& meeting_;
   ClutterMaps& clutter_;
-  const Radars& radars_;
+  Radars& radars_;
 };
 
 }  // namespace adit_tracker

@@ -54,4 +54,16 @@ void RadarQuality::learnMerging(double merged) {
   merging_ += kGain * (merged - merging_);
 }
 
+RadarCounts RadarQuality::counts() const {
+  RadarCounts counts;
+  false_plots_.save(counts);
+  coverage_.save(counts);
+  return counts;
+}
+
+void RadarQuality::load(const RadarCounts& counts) {
+  false_plots_.load(counts);
+  coverage_.load(counts);
+}
+
 }  // namespace adit_tracker

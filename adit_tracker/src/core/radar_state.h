@@ -41,6 +41,11 @@ class RadarQuality {
   CoverageMap& coverage() { return coverage_; }
   const CoverageMap& coverage() const { return coverage_; }
 
+  /// What both maps have counted, without the radar's name.
+  RadarCounts counts() const;
+  /// As if that had been seen on a few looks, less those made already; without problems (see problemOf).
+  void load(const RadarCounts& counts);
+
  private:
   void setGain(double gain);
 

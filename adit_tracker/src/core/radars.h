@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include <tws_core/sector_order.h>
@@ -33,11 +34,22 @@ class Radars {
   /// Those whose radars have sent sectors, the first radar's always.
   const std::vector<tws::SiteFrame>& sites() const { return sites_; }
   bool severalSites() const { return sites_.size() > 1; }
+  /// What was learned of each radar that has had sectors.
+  std::vector<RadarCounts> counts() const;
+  /// The same of another run, as if it had been seen on a few looks, less those made already (see
+  /// FalsePlotMap and CoverageMap). Throws what check() does, and then nothing is loaded.
+  void load(const std::vector<RadarCounts>& counts);
+  /// Throws std::invalid_argument that says why they cannot be loaded.
+  void check(const std::vector<RadarCounts>& counts) const;
+
   /// Where each radar stands; the first radar's site as long as it has not joined.
   std::vector<tws::SiteFrame> frames() const;
 
  private:
+  std::size_t indexOf(const std::string& name) const;
+
   std::vector<RadarState> radars_;
+  std::vector<std::string> names_;
   std::vector<tws::SiteFrame> sites_{tws::SiteFrame{}};
   std::size_t reference_;
 };

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 
 namespace adit_tracker {
 
@@ -10,6 +11,15 @@ class RangeBins {
  public:
   static constexpr int kBins = 64;
   static constexpr double kLeastReach = 10e3;  // [m]
+
+  RangeBins() = default;
+  /// `depth`: one that these bins can have.
+  explicit RangeBins(double depth) : depth_(depth) {}
+  /// Can a bin be so deep [m]? Doubled ten times, all reach beyond 10 000 km.
+  static bool isDepth(double depth) {
+    const double ratio = std::log2(depth / (kLeastReach / kBins));
+    return ratio >= 0.0 && ratio <= 10.0 && ratio == std::floor(ratio);
+  }
 
   /// Of a bin [m].
   double depth() const { return depth_; }

@@ -89,8 +89,9 @@ std::optional<OperatorOutcome> OperatorHandler::take(Ticket ticket) {
 
 /// The file that was loaded when this was recorded may have been given once more.
 bool OperatorHandler::isDoneAtStart(const Message& message) const {
-  return std::any_of(at_start_.begin(), at_start_.end(),
-                     [&](const Message& done) { return done.clutter == message.clutter; });
+  return std::any_of(at_start_.begin(), at_start_.end(), [&](const Message& done) {
+    return done.clutter == message.clutter && done.radar_counts == message.radar_counts;
+  });
 }
 
 void OperatorHandler::beforeSector(Adit& adit) {

@@ -10,8 +10,8 @@ namespace adit_tracker {
 /// The request that a message holds. `site` is that of the radars in the frame of the message's position.
 OperatorRequest requestOf(const tws_msgs::OperatorRequest& message, const tws_runtime::Site& site);
 
-/// As a message to load them holds them.
-std::vector<tws_msgs::ClutterPoint> clutterPoints(const std::vector<ClutterPlace>& places);
+/// Writes what is to be loaded into a message.
+void setMaps(tws_msgs::OperatorRequest& message, const SavedMaps& maps);
 
 /// Writes into the message what came of it.
 void setEffect(tws_msgs::OperatorRequest& message, const Adit& adit, const OperatorAnswer& answer);

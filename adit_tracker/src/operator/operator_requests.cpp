@@ -105,12 +105,12 @@ OperatorAnswer dropAll(Adit& adit) {
 }
 
 OperatorAnswer loadClutter(Adit& adit, const OperatorRequest& request) {
-  if (request.clutter.empty()) return refused("there are no clutter points to load");
+  const std::size_t points = request.maps.clutter.size();
+  if (request.maps.empty()) return refused("there are no clutter points to load");
   OperatorAnswer answer;
   try {
-    const std::size_t without_number = adit.manual().loadClutter(request.clutter);
-    answer.count =
-        static_cast<std::uint32_t>(request.clutter.size() - std::min(request.clutter.size(), without_number));
+    const std::size_t without_number = adit.manual().load(request.maps);
+    answer.count = static_cast<std::uint32_t>(points - std::min(points, without_number));
   } catch (const std::invalid_argument& error) {
     return refused(error.what());
   }

@@ -36,7 +36,7 @@ struct OperatorRequest {
                                         // closing speed `from` [m/s]
   std::uint32_t start = 0;              // of a list: least number
   double x = kUnused, y = kUnused;      // point, east and north of the radars [m]
-  std::vector<ClutterPlace> clutter;    // to be loaded
+  SavedMaps maps;                       // to be loaded
 };
 
 struct OperatorAnswer {
