@@ -61,7 +61,7 @@ AditParams baseParams(const Options& options) {
   const bool named = isNamedSet(options.params);
   if (!named && !std::filesystem::exists(options.params)) {
     throw std::runtime_error("--params " + options.params +
-                             ": no file of that name, nor a set (default, marine, nrl7952)");
+                             ": no file of that name, nor a set (airport, default, marine, nrl7952)");
   }
   AditParams params = loadAditParams(options.params);
   if (named) params.capacity = 100000;
@@ -261,7 +261,7 @@ std::optional<int> parse(Options& options, int argc, char** argv) {
   app.add_option("--tracks", options.tracks, "CSV file to be written")->required();
   app.add_option("--radar", radars,
                  "ID[:PERIOD_S[:PHASE_DEG]], for each radar; what is left out is found from the plots");
-  app.add_option("--params", options.params, "parameter set (default, marine, nrl7952) or YAML file");
+  app.add_option("--params", options.params, "parameter set (airport, default, marine, nrl7952) or YAML file");
   app.add_option("--capacity", options.capacity, "track numbers; 100000 unless said here or in a parameter file")
       ->check(CLI::Range(2U, 1000001U));
   app.add_option("--epochs", options.epochs, "write the picture at each multiple of so many seconds")

@@ -77,6 +77,18 @@ void checkGates(const AditParams& params) {
   }
 }
 
+void checkVolumes(const AditParams& params) {
+  if (params.volumes.empty()) return;
+  if (params.life != TrackLife::kExistence)
+    throw std::invalid_argument("volumes: need the turning filter and the chance of existence (life)");
+  require(params.volumes.size() <= kMostVolumes, "number of volumes", static_cast<double>(params.volumes.size()),
+          "[0, 1000]");
+  std::set<std::string> names;
+  for (const Volume& volume : params.volumes) {
+    if (!names.insert(volume.name).second) throw std::invalid_argument("volumes: two volumes are named " + volume.name);
+  }
+}
+
 constexpr double feet(double value) { return value * tws::kMetresPerFoot; }
 
 /// Even steps from 2000 ft × 1.4° to 14 000 ft × 5.6°; the three between are our choice.
@@ -108,6 +120,13 @@ void makeMarine(AditParams& p) {
   p.conversion.speed_down = tws::speedFromKnots(0.5);
 }
 
+/// What flies, drives and stands at an airport and about it, seen by its approach radar.
+void makeAirport(AditParams& p) {
+  p.existence.firm_speed = 21.0;
+  p.conversion.speed_up = tws::speedFromKnots(8.0);
+  p.conversion.speed_down = tws::speedFromKnots(4.0);
+}
+
 }  // namespace
 
 bool isFaster(double range_rate, double azimuth_rate, double range, double speed, const ConversionParams& params) {
@@ -116,7 +135,7 @@ bool isFaster(double range_rate, double azimuth_rate, double range, double speed
 }
 
 const std::vector<std::string>& AditParams::sets() {
-  static const std::vector<std::string> sets{"default", "marine", "nrl7952"};
+  static const std::vector<std::string> sets{"airport", "default", "marine", "nrl7952"};
   return sets;
 }
 
@@ -126,12 +145,13 @@ AditParams AditParams::named(const std::string& name) {
   p.clutter.gate.range = feet(2000.0);
   p.clutter.gate.azimuth = tws::radians(1.4);
   if (name == "default") return p;
-  if (name == "marine") {
-    makeMarine(p);
+  if (name == "marine" || name == "airport") {
+    name == "marine" ? makeMarine(p) : makeAirport(p);
     return p;
   }
   if (name != "nrl7952")
-    throw std::invalid_argument("parameter set: there is no set named " + name + " (default, marine, nrl7952)");
+    throw std::invalid_argument("parameter set: there is no set named " + name +
+                                " (airport, default, marine, nrl7952)");
   p.capacity = 256;
   p.filter = FilterKind::kAlphaBeta;
   p.learn_noise = false;
@@ -171,10 +191,20 @@ std::size_t radarIndex(const AditParams& params, const std::string& name) {
   return params.radars.size() - 1;
 }
 
+std::uint16_t AditParams::volumeAt(const VolumePlace& place, std::uint16_t before) const {
+  constexpr double kMargin = 300.0;  // [m], some standard deviations of a position
+  std::size_t number = 0;            // at most kMostVolumes
+  for (const Volume& volume : volumes) {
+    if (volume.region.contains(place, ++number == before ? kMargin : 0.0)) return static_cast<std::uint16_t>(number);
+  }
+  return 0;
+}
+
 void check(const AditParams& params) {
   checkRadars(params);
   checkIff(params);
   checkGates(params);
+  checkVolumes(params);
   tws::check(params.alpha_beta);
   require(params.capacity >= 2 && params.capacity <= 1000001, "capacity", params.capacity, "[2, 1000001]");
   require(params.clutter.capacity >= 2, "clutter capacity", params.clutter.capacity, "[2, 1000001]");

@@ -11,6 +11,7 @@
 
 #include <tws_core/multiple_model_filter.h>
 #include "core/gate.h"
+#include "core/volume_region.h"
 #include "elevation/elevation_params.h"
 
 namespace adit_tracker {
@@ -93,6 +94,7 @@ struct ExistenceParams {
   double firm_probability = 0.99;         // A tentative track becomes firm above it …
   long firm_updates = 3;                  // … with at least so many detections,
   double moving_evidence = 2.0;           // and that much log-likelihood in favour of movement over a fixed place.
+  double firm_speed = 0.0;                // It must once have been surely so fast over ground [m/s]; 0: it need not.
   double drop_probability = 0.001;        // A firm track is dropped below it,
   double doubt_probability = 0.3;         // Below it, a firm track shows as tentative until it is detected again.
   double tentative_drop_fraction = 0.03;  // a tentative one below this share of its first chance.
@@ -127,8 +129,28 @@ struct OperatorParams {
   double point_sigma = 500.0;  // How well an operator's point is placed [m].
 };
 
+/// What may differ from place to place.
+struct LocalParams {
+  tws::MultipleModelParams turning;
+  ExistenceParams existence;
+  ClutterParams clutter;
+  ConversionParams conversion;
+  StitchingParams stitching;
+  PartingParams parting;
+};
+
+/// A volume with parameters of its own (ARTAS's tuning areas). Of clutter, conversion and parting those differ that say
+/// so in config/default.yaml.
+struct Volume {
+  std::string name;
+  VolumeRegion region;
+  LocalParams params;
+};
+
+constexpr std::size_t kMostVolumes = 1000;
+
 /// All that the tracker's behaviour depends on. The member initialisers are the set `default`.
-struct AditParams {
+struct AditParams : LocalParams {
   std::vector<RadarParams> radars;
   std::vector<IffParams> iff;
   std::string reference_radar;      // Whose scans count in conversions (the report's SPS-39). Empty: the last one.
@@ -137,7 +159,6 @@ struct AditParams {
 
   FilterKind filter = FilterKind::kTurning;
   tws::AdaptiveAlphaBetaParams alpha_beta;
-  tws::MultipleModelParams turning;
   bool learn_noise = true;  // Learn each radar's standard deviations from its firm tracks.
 
   GateKind gates = GateKind::kStatistical;
@@ -149,20 +170,25 @@ struct AditParams {
 
   TrackLife life = TrackLife::kExistence;
   TimerParams timers;
-  ExistenceParams existence;
-  ClutterParams clutter;
-  ConversionParams conversion;
-  StitchingParams stitching;
   CoverageParams coverage;
   bool bifurcation = true;  // Two tracks may share merged plots, and one track may split into two.
-  PartingParams parting;
   OperatorParams operators;
   ElevationParams elevation;
 
+  std::vector<Volume> volumes;  // The first that holds a place counts there; where none does, what stands here.
+
+  /// Of volume `number`, counted from 1; 0: of no volume.
+  const LocalParams& in(std::uint16_t number) const {
+    return number == 0 ? *this : volumes[number - std::size_t{1}].params;
+  }
+  /// The number of the volume at a place, for what went by the parameters of `before` so far and leaves that only when
+  /// it is clearly out of it.
+  std::uint16_t volumeAt(const VolumePlace& place, std::uint16_t before = 0) const;
+
   /// The names that named() knows.
   static const std::vector<std::string>& sets();
-  /// The named set without radars: "default"; "marine" for boats and ships; or "nrl7952", the report's letter. Throws
-  /// std::invalid_argument.
+  /// The named set without radars: "default"; "airport"; "marine" for boats and ships; or "nrl7952", the report's
+  /// letter. Throws std::invalid_argument.
   static AditParams named(const std::string& name);
 };
 

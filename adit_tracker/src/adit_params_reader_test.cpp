@@ -52,8 +52,8 @@ std::vector<double> valuesOf(const AditParams& p) {
   const ExistenceParams& e = p.existence;
   v.insert(v.end(), {p.gate_sigmas, static_cast<double>(p.life), p.timers.tentative_drop_time, p.timers.drop_time,
                      p.timers.firm_time, e.new_targets, e.firm_probability, static_cast<double>(e.firm_updates),
-                     e.moving_evidence, e.drop_probability, e.doubt_probability, e.tentative_drop_fraction,
-                     e.detection_probability, e.survival_time});
+                     e.moving_evidence, e.firm_speed, e.drop_probability, e.doubt_probability,
+                     e.tentative_drop_fraction, e.detection_probability, e.survival_time});
   const ClutterParams& c = p.clutter;
   v.insert(v.end(), {static_cast<double>(c.per_radar), static_cast<double>(c.capacity), c.drop_time, c.gate.range,
                      c.gate.azimuth, c.gate.range_weight, c.gate.azimuth_weight, c.gate_sigmas,
@@ -123,6 +123,32 @@ TEST(ShippedMarine, GivesTheSetOfItsName) {
   EXPECT_NO_THROW(check(shipped));
 }
 
+// The same of config/airport.yaml.
+TEST(ShippedAirport, GivesTheSetOfItsName) {
+  const AditParams shipped = loadAditParams(std::string(ADIT_CONFIG) + "/airport.yaml");
+  expectSame(shipped, AditParams::named("airport"));
+  EXPECT_NO_THROW(check(shipped));
+}
+
+/// The top level's parameters with those of a volume.
+AditParams asIn(AditParams params, std::uint16_t volume) {
+  static_cast<LocalParams&>(params) = LocalParams(params.in(volume));
+  return params;
+}
+
+// If this fails, who copies the example gets no airport, or no airspace above it.
+TEST(ShippedApproach, IsAirportBelowAndDefaultElsewhere) {
+  const AditParams shipped = loadAditParams(std::string(ADIT_CONFIG) + "/approach.yaml");
+  EXPECT_NO_THROW(check(shipped));
+  expectSame(shipped, AditParams::named("default"));
+  ASSERT_EQ(shipped.volumes.size(), 1U);
+  expectSame(asIn(shipped, 1), AditParams::named("airport"));
+  EXPECT_EQ(shipped.volumeAt({10e3, 1.0}), 1);
+  EXPECT_EQ(shipped.volumeAt({10e3, 1.0, 1000.0}), 1);
+  EXPECT_EQ(shipped.volumeAt({10e3, 1.0, 9000.0}), 0);
+  EXPECT_EQ(shipped.volumeAt({80e3, 1.0}), 0);
+}
+
 // If this fails, `nrl7952` is no longer the report: the figures are those it prints.
 TEST(NamedSets, TheLetterHasTheReportsFigures) {
   const AditParams p = AditParams::named("nrl7952");
@@ -150,6 +176,43 @@ TEST(AditParamsReader, KeysChangeTheSetThatTheyStandOn) {
   expected.timers.drop_time = 33.0;
   expected.conversion.speed_up = 60.0 * 1852.0 / 3600.0;
   expectSame(p, expected);
+}
+
+constexpr char kTwoVolumes[] = R"({conversion: {speed_up_kn: 50}, turning: {speed_sigma_mps: 77}, volumes: [
+  {name: a, range_m: [1000, 2000], azimuth_deg: [350, 20], conversion: {speed_up_kn: 60}, clutter: {hits: 9}},
+  {name: b, height_m: [0, 500], unknown_height: outside, set: airport, existence: {firm_speed_mps: 33},
+   parting: {speed_mps: 44}, stitching: {speed_change_mps: 5}}]})";
+
+// If this fails, a volume has other parameters or lies elsewhere than its file says.
+TEST(AditParamsReader, AVolumeChangesTheTopLevelOrItsOwnSet) {
+  const AditParams p = read(kTwoVolumes);
+  ASSERT_EQ(p.volumes.size(), 2U);
+  AditParams a = p;
+  a.conversion.speed_up = tws::speedFromKnots(60.0);
+  a.clutter.hits = 9;
+  expectSame(asIn(p, 1), a);
+  AditParams b = AditParams::named("airport");
+  b.existence.firm_speed = 33.0;
+  b.parting.speed = 44.0;
+  b.stitching.speed_change = 5.0;
+  expectSame(asIn(p, 2), b);
+  EXPECT_EQ(p.volumeAt({1500.0, tws::radians(10.0)}), 1);
+  EXPECT_EQ(p.volumeAt({1500.0, tws::radians(30.0)}), 0);
+  EXPECT_EQ(p.volumeAt({1500.0, tws::radians(30.0), 400.0}), 2);
+  EXPECT_NO_THROW(
+      check(read("{radars: [{name: r}], volumes: [{name: a, range_m: [0, 9]}, {name: b, range_m: [5, 9]}]}")));
+}
+
+std::string manyVolumes(std::size_t count) {
+  std::string yaml = "{radars: [{name: r}], volumes: [";
+  for (std::size_t i = 0; i < count; ++i) yaml += "{name: v" + std::to_string(i) + ", range_m: [0, 1000]},";
+  return yaml + "]}";
+}
+
+// If this fails, a file can make each update of each track cost what it likes.
+TEST(AditParamsReader, ThereAreAThousandVolumesAtMost) {
+  EXPECT_EQ(complaint(manyVolumes(kMostVolumes)), "");
+  EXPECT_NE(complaint(manyVolumes(kMostVolumes + 1)).find("volumes: 1001 are too many"), std::string::npos);
 }
 
 struct Mistake {
@@ -205,6 +268,38 @@ constexpr Mistake kMistakes[] = {
     {"{radars: [{name: a}], filter: adaptive_alpha_beta}", "gates", "turning filter"},
     {"{radars: [{name: a}], gates: fixed}", "learn_noise", "statistical"},
     {"{radars: [{name: a}], gates: fixed, learn_noise: false}", "life", "statistical"},
+    {"{radars: [{name: a}], volumes: {name: v}}", "volumes", "list of maps"},
+    {"{radars: [{name: a}], volumes: [{range_m: [0, 9]}]}", "volumes[0].name", "is required"},
+    {"{radars: [{name: a}], volumes: [{name: v}]}", "volumes[0].name", "nowhere"},
+    {"{radars: [{name: a}], volumes: [{name: v, range_m: [9, 9]}]}", "volumes[0].range_m", "greater than the first"},
+    {"{radars: [{name: a}], volumes: [{name: v, range_m: [9, 0]}]}", "volumes[0].range_m", "greater than the first"},
+    {"{radars: [{name: a}], volumes: [{name: v, range_m: [0]}]}", "volumes[0].range_m", "two numbers"},
+    {"{radars: [{name: a}], volumes: [{name: v, range_m: [0, .nan]}]}", "volumes[0].range_m", "nan"},
+    {"{radars: [{name: a}], volumes: [{name: v, range_m: [0, .inf]}]}", "volumes[0].range_m", "inf"},
+    {"{radars: [{name: a}], volumes: [{name: v, range_m: [-1, 9]}]}", "volumes[0].range_m", "-1"},
+    {"{radars: [{name: a}], volumes: [{name: v, azimuth_deg: [20, 20]}]}", "volumes[0].azimuth_deg", "differ"},
+    {"{radars: [{name: a}], volumes: [{name: v, azimuth_deg: [0, 361]}]}", "volumes[0].azimuth_deg", "361"},
+    {"{radars: [{name: a}], volumes: [{name: v, height_m: [9, 0]}]}", "volumes[0].height_m", "greater than the first"},
+    {"{radars: [{name: a}], volumes: [{name: v, height_m: [.nan, 0]}]}", "volumes[0].height_m", "nan"},
+    {"{radars: [{name: a}], volumes: [{name: v, range_m: [0, 9], unknown_height: up}]}", "unknown_height", "inside"},
+    {"{radars: [{name: a}], volumes: [{name: v, range_m: [0, 9], set: nrl7952}]}", "volumes[0].set", "airport"},
+    {"{radars: [{name: a}], volumes: [{name: v, range_km: [0, 9]}]}", "volumes[0]", "range_m"},
+    {"{radars: [{name: a}], volumes: [{name: v, range_m: [0, 9], capacity: 9}]}", "volumes[0].capacity",
+     "whole tracker"},
+    {"{radars: [{name: a}], volumes: [{name: v, range_m: [0, 9], life: timers}]}", "volumes[0].life", "whole tracker"},
+    {"{radars: [{name: a}], volumes: [{name: v, range_m: [0, 9], turning: {fast_share: 0}}]}",
+     "volumes[0].turning.fast_share", "whole tracker"},
+    {"{radars: [{name: a}], volumes: [{name: v, range_m: [0, 9], clutter: {per_radar: true}}]}",
+     "volumes[0].clutter.per_radar", "whole tracker"},
+    {"{radars: [{name: a}], volumes: [{name: v, range_m: [0, 9], conversion: {scans: 4}}]}",
+     "volumes[0].conversion.scans", "whole tracker"},
+    {"{radars: [{name: a}], volumes: [{name: v, range_m: [0, 9], existence: {firm_speed_mps: -1}}]}",
+     "volumes[0].existence.firm_speed_mps", "[0, 10000]"},
+    {"{radars: [{name: a}], volumes: [{name: v, range_m: [0, 9], existence: {firm_sped_mps: 1}}]}",
+     "volumes[0].existence.firm_sped_mps", "firm_speed_mps"},
+    {"{radars: [{name: a}], volumes: [{name: v, range_m: [0, 9]}, {name: v, range_m: [0, 9]}]}", "volumes",
+     "two volumes"},
+    {"{set: nrl7952, radars: [{name: a}], volumes: [{name: v, range_m: [0, 9]}]}", "volumes", "turning filter"},
 };
 INSTANTIATE_TEST_SUITE_P(Each, Refused, testing::ValuesIn(kMistakes));
 

@@ -112,7 +112,7 @@ TEST(GraphResolver, RefusesAParameterSetThatIsNotThere) {
   EXPECT_EQ(reasonOf([&] {
               graphOf(one, options({{"params", "nosuch"}}));
             }),
-            "adit: there is no parameter set 'nosuch' (adit_tracker/config: default marine nrl7952)");
+            "adit: there is no parameter set 'nosuch' (adit_tracker/config: airport approach default marine nrl7952)");
   EXPECT_THROW(graphOf(one, options({{"params", "nosuch"}})), UsageError);
   const TemporaryFolder folder;
   std::ofstream(folder.file("mine.yaml")) << std::ifstream(one).rdbuf() << "\ntrackers: {adit: nosuch}\n";

@@ -13,6 +13,7 @@ namespace {
 constexpr double kSameScan = 1.0;  // [s]
 // Memory follows the highest number. Nobody asks for a point that so many others have been dropped after.
 constexpr std::uint32_t kRestingNumbers = 4096;
+constexpr std::int32_t kUnplaced = -1;
 
 /// One that no radar has seen yet.
 ClutterPoint pointAt(double range, double azimuth, double time) {
@@ -51,16 +52,35 @@ std::optional<std::uint32_t> claimNearest(NumbersBySector& there, const std::vec
 
 }  // namespace
 
-ClutterMap::ClutterMap(const ClutterParams& params, const ConversionParams& conversion)
-    : params_(params), conversion_(conversion), numbers_(params.capacity, kRestingNumbers), sectors_(params.capacity) {}
+ClutterMap::ClutterMap(const AditParams& params)
+    : params_(params),
+      most_hits_(static_cast<std::int32_t>(params.clutter.hits)),
+      numbers_(params.clutter.capacity, kRestingNumbers),
+      sectors_(params.clutter.capacity) {
+  for (const Volume& volume : params.volumes)
+    most_hits_ = std::max(most_hits_, static_cast<std::int32_t>(volume.params.clutter.hits));
+}
+
+const LocalParams& ClutterMap::paramsOf(const ClutterPoint& point) const {
+  return point.volume == kUnplaced ? params_ : params_.in(static_cast<std::uint16_t>(point.volume));
+}
+
+/// It hardly moves: once is enough.
+void ClutterMap::place(ClutterPoint& point, const tws::SiteFrame& site) const {
+  const double azimuth = site.onPlane(point.azimuth);
+  const tws::PlanarView seen =
+      tws::SiteFrame{}.view(site.x + point.range * std::sin(azimuth), site.y + point.range * std::cos(azimuth));
+  point.volume = params_.volumeAt({seen.distance, seen.azimuth});
+}
 
 Gate ClutterMap::regionAround(double range, const RadarQuality& quality) const {
-  Gate region = params_.gate;
-  if (params_.gate_sigmas > 0.0) {
-    region.range = std::min(region.range, params_.gate_sigmas * quality.rangeSigma());
+  const ClutterParams& clutter = params_.clutter;
+  Gate region = clutter.gate;
+  if (clutter.gate_sigmas > 0.0) {
+    region.range = std::min(region.range, clutter.gate_sigmas * quality.rangeSigma());
     // Close by, where a reflector is larger than the beam's error, the region is as wide as it is deep.
     region.azimuth =
-        std::min(region.azimuth, std::max(params_.gate_sigmas * quality.azimuthSigma(), region.range / range));
+        std::min(region.azimuth, std::max(clutter.gate_sigmas * quality.azimuthSigma(), region.range / range));
   }
   return region;
 }
@@ -70,7 +90,7 @@ Detection* ClutterMap::nearest(const ClutterPoint& point, RadarState& radar, std
   Detection* best = nullptr;
   double least = 0.0;
   const auto closest = [&](Detection& detection, double range_difference, double azimuth_difference) {
-    const double distance = effectiveDistance(params_.gate, range_difference, azimuth_difference);
+    const double distance = effectiveDistance(params_.clutter.gate, range_difference, azimuth_difference);
     if (best != nullptr && distance >= least) return;
     best = &detection;
     least = distance;
@@ -84,7 +104,7 @@ Detection* ClutterMap::nearest(const ClutterPoint& point, RadarState& radar, std
 void ClutterMap::take(ClutterPoint& point, Detection& detection, std::size_t radar) {
   const tws::Plot& plot = detection.plot;
   // Smoothing 1 is the report's: the point takes over the detection's position.
-  const double weight = std::max(params_.smoothing, 1.0 / (point.hits + 1));
+  const double weight = std::max(params_.clutter.smoothing, 1.0 / (point.hits + 1));
   point.range += weight * (plot.range - point.range);
   point.azimuth = tws::wrapTwoPi(point.azimuth + weight * tws::angularDifference(plot.azimuth, point.azimuth));
   point.last_update = plot.time;
@@ -103,7 +123,8 @@ void ClutterMap::take(ClutterPoint& point, Detection& detection, std::size_t rad
 /// Compares the place with the one stored eight scans ago, and stores the present one.
 bool ClutterMap::moves(ClutterPoint& point, double judge_after) const {
   const auto rates = point.reference.compare(point.last_update, point.range, point.azimuth, judge_after);
-  return rates && isFaster(rates->range, rates->azimuth, point.range, conversion_.speed_up, conversion_);
+  const ConversionParams& limits = paramsOf(point).conversion;
+  return rates && isFaster(rates->range, rates->azimuth, point.range, limits.speed_up, limits);
 }
 
 std::vector<ClutterPoint> ClutterMap::process(std::size_t radar_index, RadarState& radar, std::int64_t running,
@@ -115,7 +136,8 @@ std::vector<ClutterPoint> ClutterMap::process(std::size_t radar_index, RadarStat
   for (std::uint32_t n = sectors_.first(sector); n != tws::SectorFile::kNone; n = next) {
     next = sectors_.next(n);
     ClutterPoint& point = points_[n];
-    if (now - point.last_update > params_.drop_time) {
+    if (point.volume == kUnplaced) place(point, radar.frame);
+    if (now - point.last_update > paramsOf(point).clutter.drop_time) {
       drop(n);
       continue;
     }
@@ -139,6 +161,7 @@ bool ClutterMap::insert(ClutterPoint point) {
   const auto number = numbers_.take();
   if (!number) return false;
   point.number = *number;
+  point.volume = params_.volumes.empty() ? 0 : kUnplaced;
   if (points_.size() <= *number) points_.resize(*number + 1);
   points_[*number] = point;
   sectors_.addLast(*number, tws::sectorOf(point.azimuth));
@@ -154,7 +177,7 @@ bool ClutterMap::initiate(const tws::Plot& plot, std::size_t radar) {
 
 bool ClutterMap::adopt(double range, double azimuth, double time, std::size_t radar) {
   ClutterPoint point = pointAt(range, azimuth, time);
-  point.hits = static_cast<std::int32_t>(params_.hits);
+  point.hits = most_hits_;
   point.updated[radar] = time;
   return insert(point);
 }

@@ -25,6 +25,7 @@ struct ClutterPoint {
   double last_update = 0.0;
   std::array<double, kMaxRadars> updated;  // TC12, TC39; kNever
   std::int32_t hits = 1;                   // detections so far
+  std::int32_t volume = 0;                 // by whose parameters it goes: AditParams::in; -1: nobody knows yet
   ReferencePlace reference;                // RC
 };
 
@@ -32,7 +33,7 @@ struct ClutterPoint {
 /// file before any track sees them. Cost of a sector: its points × logarithm of the detections in three sectors.
 class ClutterMap {
  public:
-  explicit ClutterMap(const ClutterParams& params, const ConversionParams& conversion);
+  explicit ClutterMap(const AditParams& params);
 
   /// The points of the running sector against the detections of it and its neighbours, at `now` (MRK of the sector
   /// after). With `judge_after`, the points there are also tested for movement since a place stored at least so long
@@ -55,7 +56,7 @@ class ClutterMap {
   void disclaim(std::uint32_t number);
 
   std::uint32_t size() const { return size_; }
-  bool absorbing(const ClutterPoint& point) const { return point.hits >= params_.hits; }
+  bool absorbing(const ClutterPoint& point) const { return point.hits >= paramsOf(point).clutter.hits; }
   /// Absorbing, and not from a single detection: the report's points absorb from the start, whatever they are.
   bool known(const ClutterPoint& point) const { return point.hits >= hitsWhenKnown(); }
   /// All points, by sector.
@@ -64,16 +65,18 @@ class ClutterMap {
 
  private:
   bool insert(ClutterPoint point);
-  std::int32_t hitsWhenKnown() const { return std::max(2, static_cast<std::int32_t>(params_.hits)); }
+  std::int32_t hitsWhenKnown() const { return std::max(2, most_hits_); }
+  const LocalParams& paramsOf(const ClutterPoint& point) const;
   Gate regionAround(double range, const RadarQuality& quality) const;
   std::array<std::vector<std::uint32_t>, tws::kSectors> byRange() const;
   void drop(std::uint32_t number);
   Detection* nearest(const ClutterPoint& point, RadarState& radar, std::int64_t running) const;
   void take(ClutterPoint& point, Detection& detection, std::size_t radar);
+  void place(ClutterPoint& point, const tws::SiteFrame& site) const;
   bool moves(ClutterPoint& point, double judge_after) const;
 
-  ClutterParams params_;
-  ConversionParams conversion_;
+  AditParams params_;
+  std::int32_t most_hits_;  // with which a point absorbs wherever it is
   tws::NumberFile numbers_;
   tws::SectorFile sectors_;
   std::vector<ClutterPoint> points_;  // by number

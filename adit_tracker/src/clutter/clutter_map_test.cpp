@@ -22,8 +22,7 @@ RadarState radarWithPeriod(double period) {
 /// A map with radars of 6.4 s a turn, so that a sector takes 0.1 s and turn n starts at 6.4 n.
 class ClutterMapTest : public testing::Test {
  protected:
-  explicit ClutterMapTest(const std::string& set = "nrl7952")
-      : params_(AditParams::named(set)), map_(params_.clutter, params_.conversion) {}
+  explicit ClutterMapTest(const std::string& set = "nrl7952") : params_(AditParams::named(set)), map_(params_) {}
 
   static double enter(std::int64_t running) { return 0.1 * static_cast<double>(running); }
 
@@ -99,7 +98,7 @@ TEST_F(ClutterMapTest, LooksIntoBothNeighbouringSectorsAlsoAcrossNorth) {
 
 TEST_F(ClutterMapTest, LooksNoFurtherThanTheNeighbouringSectors) {
   params_.clutter.gate.azimuth = kSector;
-  ClutterMap wide(params_.clutter, params_.conversion);
+  ClutterMap wide(params_);
   ASSERT_TRUE(wide.initiate(plotAt(1.05, 50e3, 10.95 * kSector), 0));
   see(64 + 12, {plotAt(7.6, 50e3, 11.9 * kSector)});  // Within the region, but the beam was two sectors on.
   wide.process(0, radars_[0], 64 + 10, enter(64 + 11), std::nullopt);
@@ -164,7 +163,7 @@ TEST_F(ClutterMapTest, RefusesAPointWhenItIsFull) {
 // 45 kn are 23.15 m/s: over 51.2 s 1185 m. The range moves by 8 · 150 m = 1200 m, and by 8 · 145 m = 1160 m.
 TEST_F(ClutterMapTest, GivesBackAPointThatMovesFasterThan45KnotsInRange) {
   for (const double step : {145.0, 150.0}) {
-    ClutterMap map(params_.clutter, params_.conversion);
+    ClutterMap map(params_);
     ASSERT_TRUE(map.initiate(plotAt(1.05, 50e3, 10.5 * kSector), 0));
     std::size_t moving = 0;
     for (int turn = 1; turn <= 16; ++turn) {
@@ -344,12 +343,29 @@ TEST_F(DefaultClutterMapTest, APointsPositionIsTheMeanAtFirstAndSmoothedThen) {
 // Three standard deviations of 100 m and 0.3°.
 TEST_F(DefaultClutterMapTest, TheRegionIsNoWiderThanThreeStandardDeviations) {
   for (const bool inside : {true, false}) {
-    ClutterMap map(params_.clutter, params_.conversion);
+    ClutterMap map(params_);
     ASSERT_TRUE(map.initiate(plotAt(1.05, 50e3, 10.5 * kSector), 0));
     see(64 + 10, {plotAt(7.45, 50e3 + (inside ? 299.0 : 301.0), 10.5 * kSector + tws::radians(0.89))});
     map.process(0, radars_[0], 64 + 10, enter(64 + 11), std::nullopt);
     EXPECT_EQ(map.points()[0].hits, inside ? 2 : 1);
   }
+}
+
+// If this fails, clutter within a volume is judged by what was meant for elsewhere.
+TEST_F(DefaultClutterMapTest, APointGoesByTheParametersOfItsVolume) {
+  Volume near{"near", {}, params_};
+  near.region.greatest_range = 60e3;
+  near.params.clutter.hits = 2;
+  params_.volumes.push_back(near);
+  ClutterMap map(params_);
+  for (const double range : {50e3, 80e3}) ASSERT_TRUE(map.initiate(plotAt(1.05, range, 10.5 * kSector), 0));
+  for (int turn = 1; turn <= 2; ++turn) {
+    const double time = 6.4 * turn + 1.05;
+    see(64 * turn + 10, {plotAt(time, 50e3, 10.5 * kSector), plotAt(time, 80e3, 10.5 * kSector)});
+    map.process(0, radars_[0], 64 * turn + 10, enter(64 * turn + 11), std::nullopt);
+  }
+  EXPECT_TRUE(detection(128 + 10, 0).absorbed);
+  EXPECT_FALSE(detection(128 + 10, 1).absorbed);
 }
 
 // If this fails, what moves slowly enough to be absorbed but faster than 56 kn never becomes a track again.

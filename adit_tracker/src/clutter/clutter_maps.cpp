@@ -12,7 +12,7 @@ namespace adit_tracker {
 ClutterMaps::ClutterMaps(const AditParams& params, Radars& radars, AditCounts& counts)
     : params_(params), radars_(radars), counts_(counts) {
   const std::size_t maps = params.clutter.per_radar ? radars.size() : 1;
-  for (std::size_t i = 0; i < maps; ++i) maps_.emplace_back(params.clutter, params.conversion);
+  for (std::size_t i = 0; i < maps; ++i) maps_.emplace_back(params);
   awaited_.resize(maps);
 }
 

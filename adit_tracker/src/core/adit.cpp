@@ -53,7 +53,7 @@ Adit::Adit(const AditParams& params, Sink sink)
       clutter_(params, radars_, counts_),
       correlator_(params),
       bifurcation_(params),
-      stitching_(params.stitching),
+      stitching_(params),
       iff_(params.iff),
       manual_(tracks_, meeting_, clutter_, radars_) {}
 
@@ -204,7 +204,7 @@ void Adit::update(const tws::SectorRef& sector, TrackFile::Slot slot, Detection&
   Track& track = tracks_.at(slot);
   const bool claimed = detection.claim != Detection::kNoClaim;
   tracks_.update(slot, sector, radars_.at(sector.radar).quality, detection.plot,
-                 bifurcation_.asSeenBy(track, detection), claimed && params_.clutter.yields_to_tracks);
+                 bifurcation_.asSeenBy(track, detection), claimed && clutterOf(track).yields_to_tracks);
   if (claimed && clutterYieldsTo(track)) clutter_.disclaim(detection.claim, sector.radar);
   meeting_.predict(track, siteOf(sector));
 }
@@ -222,7 +222,7 @@ void Adit::updateWeighed(const tws::SectorRef& sector, const Correlation& correl
   plots_.assign(first + static_cast<std::ptrdiff_t>(correlation.first),
                 first + static_cast<std::ptrdiff_t>(correlation.last));
   if (!detection) suspectStrays(track, radars_.at(sector.radar), sector.running);
-  if (!tracks_.updateWeighed(correlation, plots_, sector, claimed && params_.clutter.yields_to_tracks)) return;
+  if (!tracks_.updateWeighed(correlation, plots_, sector, claimed && clutterOf(track).yields_to_tracks)) return;
   if (claimed && clutterYieldsTo(track)) clutter_.disclaim(detection->claim, sector.radar);
   meeting_.predict(track, siteOf(sector));
 }
@@ -244,8 +244,8 @@ void Adit::miss(const tws::SectorRef& sector, TrackFile::Slot slot) {
 /// Is the track surely no clutter?
 bool Adit::clutterYieldsTo(const Track& track) const {
   const Kinematics& k = track.smoothed;
-  return params_.clutter.yields_to_tracks && track.firm &&
-         k.vx * k.vx + k.vy * k.vy > params_.conversion.speed_up * params_.conversion.speed_up;
+  const double fast = params_.in(track.volume).conversion.speed_up;
+  return clutterOf(track).yields_to_tracks && track.firm && k.vx * k.vx + k.vy * k.vy > fast * fast;
 }
 
 void Adit::convertSlowTracks(const tws::SectorRef& sector) {
@@ -255,7 +255,8 @@ void Adit::convertSlowTracks(const tws::SectorRef& sector) {
   if (!judge_after) return;
   const FalsePlotMap& map = radars_.quality(sector.radar).falsePlotMap();
   const auto is_slow = [&](TrackFile::Slot slot) {
-    return hasBecomeSlow(tracks_.at(slot), tracks_.motion(), map, *judge_after, params_.conversion);
+    Track& track = tracks_.at(slot);
+    return hasBecomeSlow(track, tracks_.motion(), map, *judge_after, params_.in(track.volume).conversion);
   };
   for (const auto slot : primary_) {
     if (!tracks_.isDropped(slot) && is_slow(slot)) convert(sector, slot);

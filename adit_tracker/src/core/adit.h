@@ -87,6 +87,7 @@ class Adit {
   void updateWeighed(const tws::SectorRef& sector, const Correlation& correlation);
   void share(const tws::SectorRef& sector, TrackFile::Slot slot, const Detection& detection);
   void miss(const tws::SectorRef& sector, TrackFile::Slot slot);
+  const ClutterParams& clutterOf(const Track& track) const { return params_.in(track.volume).clutter; }
   bool clutterYieldsTo(const Track& track) const;
   void stitch(double period);
   void convertSlowTracks(const tws::SectorRef& sector);

@@ -71,6 +71,10 @@ double unseen(const Track& parent, std::size_t radar, double period) {
 
 }  // namespace
 
+Bifurcation::Bifurcation(const AditParams& params) : params_(params), greatest_speed_(params.parting.speed) {
+  for (const Volume& volume : params.volumes) greatest_speed_ = std::max(greatest_speed_, volume.params.parting.speed);
+}
+
 Bifurcation::Reach Bifurcation::cellOf(const RadarQuality& quality) const {
   return {params_.parting.cell_range_sigmas * quality.rangeSigma(),
           params_.parting.cell_azimuth_sigmas * quality.azimuthSigma()};
@@ -209,8 +213,9 @@ bool Bifurcation::isShared(const Detection& detection) const {
 
 bool Bifurcation::hasMerged(const Track& track, const Detection& detection) const {
   const double hidden = detection.plot.time - track.apart;
-  if (!track.firm) return hidden > params_.parting.branch_time;
-  const double limit = track.updates > kSettledUpdates ? params_.parting.unresolved_time : kLeastUnresolved;
+  const PartingParams& limits = partingIn(track);
+  if (!track.firm) return hidden > limits.branch_time;
+  const double limit = track.updates > kSettledUpdates ? limits.unresolved_time : kLeastUnresolved;
   const auto isYounger = [&](const Shared& s) {
     return s.detection == &detection && s.uid == track.uid && s.taker < track.uid;
   };
@@ -218,9 +223,9 @@ bool Bifurcation::hasMerged(const Track& track, const Detection& detection) cons
 }
 
 /// The targets were in one cell on the scan before, at the latest.
-Bifurcation::Reach Bifurcation::partingReach(const tws::Plot& plot, const RadarState& radar) const {
+Bifurcation::Reach Bifurcation::partingReach(const tws::Plot& plot, const RadarState& radar, double speed) const {
   const Reach cell = cellOf(radar.quality);
-  const double separation = params_.parting.speed * radar.antenna.period();
+  const double separation = speed * radar.antenna.period();
   return {cell.range + separation, cell.azimuth + separation / plot.range};
 }
 
@@ -228,12 +233,16 @@ std::optional<Parting> Bifurcation::partingOf(const TrackFile& tracks, const Det
                                               const tws::SectorRef& sector) const {
   if (detection.claim != Detection::kNoClaim) return std::nullopt;
   const tws::Plot& plot = detection.plot;
-  const Reach reach = partingReach(plot, radar);
+  const Reach reach = partingReach(plot, radar, greatest_speed_);
   std::optional<Parting> nearest;
   const auto consider = [&](const Detection& other, double by_range, double by_azimuth) {
     if (!other.isGiven() || isShared(other)) return;
     const Track& track = tracks.at(other.taker);
     if (!track.firm || track.updated[sector.radar] != other.plot.time) return;
+    if (!params_.volumes.empty()) {
+      const Reach own = partingReach(plot, radar, partingIn(track).speed);
+      if (std::abs(by_range) > own.range || std::abs(by_azimuth) > own.azimuth) return;
+    }
     const double along = -by_range, across = -plot.range * by_azimuth;
     if (nearest && std::hypot(along, across) >= std::hypot(nearest->along, nearest->across)) return;
     nearest = Parting{other.taker, plot.azimuth, along, across, 0.0, 0.0, 0.0, 0.0, 0.0};
@@ -248,13 +257,14 @@ std::optional<Parting> Bifurcation::partingOf(const TrackFile& tracks, const Det
 /// Up to the last time that they were seen as one, they were within one cell.
 void Bifurcation::weigh(Parting& parting, const Track& parent, const tws::Plot& plot, const RadarState& radar,
                         std::size_t radar_index) const {
-  const Reach cell = cellOf(radar.quality), reach = partingReach(plot, radar);
-  const double usual = params_.parting.speed_sigma, period = radar.antenna.period();
+  const PartingParams& limits = partingIn(parent);
+  const Reach cell = cellOf(radar.quality), reach = partingReach(plot, radar, limits.speed);
+  const double usual = limits.speed_sigma, period = radar.antenna.period();
   const auto guess = [&](double distance, double width, double error, double elapsed, double& rate, double& sigma) {
     rate = 0.0;
     sigma = usual;
     if (std::abs(distance) <= width) return;
-    rate = std::copysign(std::min((std::abs(distance) - 0.5 * width) / elapsed, params_.parting.speed), distance);
+    rate = std::copysign(std::min((std::abs(distance) - 0.5 * width) / elapsed, limits.speed), distance);
     sigma = std::min(usual, kLeastSpeedSigma + std::sqrt(width * width / 12.0 + 2.0 * error * error) / elapsed);
   };
   guess(parting.along, cell.range, radar.quality.rangeSigma(), unseen(parent, radar_index, period), parting.rate_along,
@@ -263,7 +273,7 @@ void Bifurcation::weigh(Parting& parting, const Track& parent, const tws::Plot& 
         parting.rate_across, parting.sigma_across);
   const double false_plots =
       4.0 * reach.range * plot.range * reach.azimuth * radar.quality.falsePlotMap().density(plot.range, plot.azimuth);
-  parting.chance = params_.parting.per_scan / (params_.parting.per_scan + false_plots);
+  parting.chance = limits.per_scan / (limits.per_scan + false_plots);
 }
 
 }  // namespace adit_tracker

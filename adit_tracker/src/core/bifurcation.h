@@ -25,7 +25,7 @@ namespace adit_tracker {
 /// any other.
 class Bifurcation {
  public:
-  explicit Bifurcation(const AditParams& params) : params_(params) {}
+  explicit Bifurcation(const AditParams& params);
 
   /// After the correlation of a sector: finds the tracks without a detection that share one with another track.
   /// `primary`: as in Correlator::correlate.
@@ -61,7 +61,8 @@ class Bifurcation {
   };
 
   Reach cellOf(const RadarQuality& quality) const;
-  Reach partingReach(const tws::Plot& plot, const RadarState& radar) const;
+  Reach partingReach(const tws::Plot& plot, const RadarState& radar, double speed) const;
+  const PartingParams& partingIn(const Track& track) const { return params_.in(track.volume).parting; }
   /// Of one run of share().
   struct Run {
     const TrackFile& tracks;
@@ -80,6 +81,7 @@ class Bifurcation {
   bool isShared(const Detection& detection) const;
 
   AditParams params_;
+  double greatest_speed_;                    // of parting, anywhere [m/s]
   std::vector<Shared> shared_;               // in the latest sectors, of all radars
   std::size_t now_ = 0;                      // those from here on are of the running sector
   std::vector<TrackFile::Slot> correlated_;  // kept to save allocations

@@ -17,13 +17,14 @@ double sigmaOf(const tws::Symmetric2& a, const tws::Symmetric2& b) { return std:
 
 /// How far off its straight course the lost track must have gone to be the one that was found [m]; nothing: it cannot.
 std::optional<double> Stitching::detour(const TrackMotion& motion, const Track& lost, const Track& found,
-                                        double longest_gap) const {
+                                        double period) const {
+  const StitchingParams& limits = params_.in(found.volume).stitching;
   const double gap = found.first_time - lost.last_update;
-  if (!lost.firm || !lost.coasting || gap <= 0.0 || gap > longest_gap) return std::nullopt;
+  if (!lost.firm || !lost.coasting || gap <= 0.0 || gap > limits.longest_gap * period) return std::nullopt;
   const tws::PlanarMotion from = motion.at(lost, lost.last_update).planar,
                           to = motion.at(found, found.first_time).planar;
   const double before = speedOf(from), after = speedOf(to);
-  if (std::abs(before - after) > params_.speed_change + kSigmas * sigmaOf(from.velocity, to.velocity))
+  if (std::abs(before - after) > limits.speed_change + kSigmas * sigmaOf(from.velocity, to.velocity))
     return std::nullopt;
   const double x = to.x - from.x, y = to.y - from.y;
   const double reach = gap * std::max(before, after) + kSigmas * sigmaOf(from.position, to.position);
@@ -33,12 +34,12 @@ std::optional<double> Stitching::detour(const TrackMotion& motion, const Track& 
 
 std::optional<TrackFile::Slot> Stitching::lostBefore(const TrackBook& tracks, TrackFile::Slot slot,
                                                      double period) const {
-  if (params_.longest_gap == 0.0) return std::nullopt;
+  if (params_.in(tracks.at(slot).volume).stitching.longest_gap == 0.0) return std::nullopt;
   double least = std::numeric_limits<double>::infinity(), second = least;
   std::optional<TrackFile::Slot> found;
   for (const TrackFile::Slot other : tracks.living()) {
     if (other == slot || tracks.isDropped(other)) continue;
-    const auto off = detour(tracks.motion(), tracks.at(other), tracks.at(slot), params_.longest_gap * period);
+    const auto off = detour(tracks.motion(), tracks.at(other), tracks.at(slot), period);
     if (!off) continue;
     if (*off < least) {
       second = least;

@@ -13,17 +13,16 @@ namespace adit_tracker {
 /// lost one's number over.
 class Stitching {
  public:
-  explicit Stitching(const StitchingParams& params) : params_(params) {}
+  explicit Stitching(const AditParams& params) : params_(params) {}
 
   /// The track that was lost where `slot`, which a radar of that period [s] has just made firm, began; nothing: none,
   /// or nobody knows which. Looks at all tracks.
   std::optional<TrackFile::Slot> lostBefore(const TrackBook& tracks, TrackFile::Slot slot, double period) const;
 
  private:
-  std::optional<double> detour(const TrackMotion& motion, const Track& lost, const Track& found,
-                               double longest_gap) const;
+  std::optional<double> detour(const TrackMotion& motion, const Track& lost, const Track& found, double period) const;
 
-  StitchingParams params_;
+  AditParams params_;
 };
 
 }  // namespace adit_tracker

@@ -41,7 +41,7 @@ class StitchingTest : public testing::Test {
   AditParams params_ = paramsFor("default", {6.0});
   Radars radars_{params_};
   TrackBook book_{params_, radars_, counts_};
-  Stitching stitching_{params_.stitching};
+  Stitching stitching_{params_};
 };
 
 // If this fails, an aircraft that turns about is another one for the operator from then on.
@@ -92,7 +92,7 @@ TEST_F(StitchingTest, OfTwoThatWereLostThereNeitherIsTakenUnlessOneIsClearlyNear
 
 TEST_F(StitchingTest, TheReportsTrackerStitchesNothing) {
   lost(20e3, 50e3, 250.0, 0.0);
-  const Stitching none(AditParams::named("nrl7952").stitching);
+  const Stitching none(AditParams::named("nrl7952"));
   EXPECT_FALSE(none.lostBefore(book_, found(18e3, 51.5e3, -250.0, 0.0), kPeriod));
 }
 

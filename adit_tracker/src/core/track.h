@@ -65,6 +65,7 @@ struct alignas(64) Track {
   bool handed_off = false;                     // to a tracking radar: bit 5 of OUT
   bool designated = false;                     // for elevation searches: bit 6 of OUT
   std::uint8_t answers_iff = 0;                // secondary radars, one bit each, that detect it: bit 4 of OUT
+  std::uint16_t volume = 0;                    // by whose parameters it goes: AditParams::in
   std::uint16_t detected_by = 0;   // radars that detected it when they last had the chance: bits 1..3 of OUT
   std::int32_t updates = 0;        // detections used
   Kinematics smoothed;             // at the latest update

@@ -116,6 +116,7 @@ void TrackBook::update(Slot slot, const tws::SectorRef& sector, RadarQuality& qu
     track.apart = plot.time;
     heights_.update(track.uid, plot);
   }
+  enterVolume(track);
   track.coasting = false;
   track.updated[sector.radar] = plot.time;
   track.illuminated[sector.radar] = tws::Antenna::near(plot.azimuth, sector.running);
@@ -124,6 +125,15 @@ void TrackBook::update(Slot slot, const tws::SectorRef& sector, RadarQuality& qu
   const double false_density = quality.falsePlotMap().densityAround(own, plot.range, plot.azimuth);
   if (judge_.updated(track, sector.radar, log_likelihood, false_density, !disputed)) becomeFirm(slot);
   report_.updates.push_back({slot, TrackEvent::kUpdated, track.smoothed.time, plot});
+}
+
+/// The track has moved: other parameters may be its own from now on.
+void TrackBook::enterVolume(Track& track) const {
+  if (!motion_.hasVolumes()) return;
+  const std::optional<Height> height = heights_.at(track.uid, track.smoothed.time);
+  const HeightGuess& guess = track.height_guess;
+  const double guessed = guess.known() ? guess.height() : std::numeric_limits<double>::quiet_NaN();
+  motion_.enterVolume(track, height ? height->height : guessed);
 }
 
 bool TrackBook::updateWeighed(const Correlation& c, const std::vector<PlotChance>& plots, const tws::SectorRef& sector,
@@ -146,6 +156,7 @@ bool TrackBook::updateWeighed(const Correlation& c, const std::vector<PlotChance
     track.apart = time;
     heights_.update(track.uid, c.detection->plot);
   }
+  enterVolume(track);
   if (judge_.weighed(track, sector.radar, time, c.existence, c.missed, !disputed)) becomeFirm(c.slot);
   look(track, quality, 1.0 - c.missed);
   if (judge_.isOver(track) || (!detected && leavesCover(track, time))) {
@@ -168,6 +179,7 @@ void TrackBook::share(Slot slot, const tws::SectorRef& sector, const tws::Plot& 
   if (updates > kSettledUpdates) {
     motion_.update(track, merged, radars_.quality(sector.radar), sector.radar);
     track.updated[sector.radar] = plot.time;
+    enterVolume(track);
   }
   track.updates = updates;  // no evidence
   judge_.unresolved(track, plot.time);

@@ -114,6 +114,7 @@ class TrackBook {
   const TrackMotion& motion() const { return motion_; }
 
  private:
+  void enterVolume(Track& track) const;
   void becomeFirm(Slot slot);
   bool showsErrors(const Track& track, const tws::Plot& plot) const;
   ApparentPosition apparentPosition(const Track& track, std::size_t radar, double time) const;

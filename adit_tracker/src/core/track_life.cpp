@@ -18,6 +18,13 @@ void learnDetection(Track& track, std::size_t radar, float detected) {
   p = std::clamp(p + kDetectionGain * (detected - expected), kLeastDetection, kGreatestDetection);
 }
 
+/// By its filter, with one standard deviation to spare.
+bool isSurelyAsFast(const Track& track, double speed, const tws::MultipleModelParams& params) {
+  const tws::PlanarMotion now = std::get<tws::MultipleModelFilter>(track.filter).predict(0.0, params);
+  const double sigma = std::sqrt(std::max(now.velocity.xx, now.velocity.yy));
+  return std::hypot(now.vx, now.vy) - sigma >= speed;
+}
+
 /// Bayes: the chance after evidence with this ratio of likelihoods.
 float byBayes(float chance, double ratio) {
   const double odds = ratio * chance / (1.0 - chance);
@@ -27,7 +34,7 @@ float byBayes(float chance, double ratio) {
 }  // namespace
 
 void TrackJudge::started(Track& track, double false_plots) const {
-  const ExistenceParams& e = params_.existence;
+  const ExistenceParams& e = params_.in(track.volume).existence;
   track.existence = track.first_existence = static_cast<float>(e.new_targets / (e.new_targets + false_plots));
   track.detection_probability.fill(static_cast<float>(e.detection_probability));
   track.last_illumination = track.last_update;
@@ -36,7 +43,7 @@ void TrackJudge::started(Track& track, double false_plots) const {
 /// The target may have left in the meantime.
 void TrackJudge::age(Track& track, double time) const {
   const double elapsed = std::max(0.0, time - track.last_illumination);
-  track.existence *= static_cast<float>(std::exp(-elapsed / params_.existence.survival_time));
+  track.existence *= static_cast<float>(std::exp(-elapsed / params_.in(track.volume).existence.survival_time));
   track.last_illumination = std::max(track.last_illumination, time);
 }
 
@@ -46,14 +53,16 @@ void TrackJudge::unresolved(Track& track, double time) const {
 
 bool TrackJudge::deservesFirm(const Track& track) const {
   const bool branch = track.parent != 0;
+  const LocalParams& here = params_.in(track.volume);
   if (params_.life == TrackLife::kTimers) {
-    return branch ? track.updates >= params_.parting.firm_updates
+    return branch ? track.updates >= here.parting.firm_updates
                   : track.last_update - track.first_time > params_.timers.firm_time;
   }
-  const ExistenceParams& e = params_.existence;
+  const ExistenceParams& e = here.existence;
   return track.existence > e.firm_probability &&
-         track.updates >= (branch ? params_.parting.firm_updates : e.firm_updates) &&
-         track.fixed.moving_evidence > (branch ? params_.parting.moving_evidence : e.moving_evidence);
+         track.updates >= (branch ? here.parting.firm_updates : e.firm_updates) &&
+         track.fixed.moving_evidence > (branch ? here.parting.moving_evidence : e.moving_evidence) &&
+         (e.firm_speed == 0.0 || isSurelyAsFast(track, e.firm_speed, here.turning));
 }
 
 bool TrackJudge::updated(Track& track, std::size_t radar, double log_likelihood, double false_density,
@@ -81,7 +90,7 @@ bool TrackJudge::weighed(Track& track, std::size_t radar, double time, double ex
 }
 
 bool TrackJudge::isOver(const Track& track) const {
-  const ExistenceParams& e = params_.existence;
+  const ExistenceParams& e = params_.in(track.volume).existence;
   return track.existence < (track.firm ? e.drop_probability : e.tentative_drop_fraction * track.first_existence);
 }
 

@@ -36,7 +36,8 @@ class TrackJudge {
   }
   /// Firm, and not in doubt.
   bool confirmed(const Track& track) const {
-    return track.firm && (params_.life == TrackLife::kTimers || track.existence >= params_.existence.doubt_probability);
+    return track.firm && (params_.life == TrackLife::kTimers ||
+                          track.existence >= params_.in(track.volume).existence.doubt_probability);
   }
 
  private:

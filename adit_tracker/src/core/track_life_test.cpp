@@ -106,6 +106,30 @@ TEST_F(ExistenceTest, ATentativeTrackGoesWhenItsChanceHasFallenTo3PercentOfTheFi
   EXPECT_TRUE(judge().missed(track, 0, 118.0));
 }
 
+/// Surely there and surely moving, at a velocity that is known to 2 m/s.
+Track surelyMoving(double speed) {
+  Track track = trackUpdatedAt(100.0, 112.0);
+  track.existence = 0.999F;
+  track.detection_probability.fill(0.9F);
+  track.fixed.moving_evidence = 100.0;
+  auto& filter = track.filter.emplace<tws::MultipleModelFilter>();
+  filter.start({0.0, 20e3, {100.0, 0.0, 100.0}}, tws::MultipleModelParams{});
+  filter.setVelocity(speed, 0.0, {4.0, 0.0, 4.0});
+  return track;
+}
+
+// If this fails, every bird and every car at an airport is a firm track, or what has flown in and slows down is none.
+TEST_F(ExistenceTest, AFirmTrackMustOnceHaveBeenSurelySoFast) {
+  params_.existence.firm_speed = 20.0;
+  Track slow = surelyMoving(21.0);  // one standard deviation short
+  EXPECT_FALSE(judge().updated(slow, 0, std::log(4e-8), kFalseDensity));
+  Track fast = surelyMoving(23.0);
+  EXPECT_TRUE(judge().updated(fast, 0, std::log(4e-8), kFalseDensity));
+  std::get<tws::MultipleModelFilter>(fast.filter).setVelocity(5.0, 0.0, {4.0, 0.0, 4.0});
+  judge().updated(fast, 0, std::log(4e-8), kFalseDensity);
+  EXPECT_TRUE(fast.firm);
+}
+
 TEST_F(ExistenceTest, ATargetMayHaveGoneInTheMeantime) {
   params_.existence.survival_time = 50.0;
   Track track = started();

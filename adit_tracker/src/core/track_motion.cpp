@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include <tws_core/angles.h>
+#include <tws_core/refraction.h>
 
 namespace adit_tracker {
 namespace {
@@ -68,6 +69,9 @@ double updatePlace(FixedPlace& place, const tws::PlanarPosition& z) {
   return log_likelihood;
 }
 
+/// Above the antenna [m]; NaN: the plot tells none.
+double heightOf(const tws::Plot& plot) { return tws::heightOf(0.0, std::sin(plot.elevation), plot.range); }
+
 /// Moves all that is known of a track's place.
 void shift(Track& track, const tws::PlanarPosition& by) {
   std::get<tws::MultipleModelFilter>(track.filter).shift(by.x, by.y);
@@ -83,8 +87,11 @@ TrackMotion::TrackMotion(const AditParams& params)
 void TrackMotion::join(const std::vector<tws::SiteFrame>& frames) {
   frames_ = frames;
   joined_ = true;
-  params_.turning.sites.clear();
-  for (const tws::SiteFrame& frame : frames) params_.turning.sites.push_back({frame.x, frame.y});
+  auto& sites = params_.turning.sites;
+  sites.clear();
+  sites.reserve(frames.size());
+  for (const tws::SiteFrame& frame : frames) sites.push_back({frame.x, frame.y});
+  for (Volume& volume : params_.volumes) volume.params.turning.sites = sites;
 }
 
 void TrackMotion::guessHeight(Track& track) const {
@@ -92,7 +99,7 @@ void TrackMotion::guessHeight(Track& track) const {
   HeightGuess& guess = track.height_guess;
   guess.x_per_squared = static_cast<float>(-0.5 * k.x / (k.range * k.range));
   guess.y_per_squared = static_cast<float>(-0.5 * k.y / (k.range * k.range));
-  const HeightGuess first = HeightGuess::below(params_.turning.assumed_height, k.range);
+  const HeightGuess first = HeightGuess::below(turningOf(track).assumed_height, k.range);
   guess.variance = first.variance;
   shift(track, guess.moveTo(first.squared));
   track.smoothed = fromPlanar(std::get<tws::MultipleModelFilter>(track.filter).mean(), k.time);
@@ -121,18 +128,21 @@ void TrackMotion::start(Track& track, const tws::Plot& plot, const RadarQuality&
     at_rest.y = z.y;
     track.smoothed = fromPlanar(at_rest, plot.time);
   }
-  track.filter.emplace<tws::MultipleModelFilter>().start(z, params_.turning);
+  if (hasVolumes()) enterVolume(track, heightOf(plot));
+  track.filter.emplace<tws::MultipleModelFilter>().start(z, turningOf(track));
   track.fixed = {z.x, z.y, z.covariance, 0.0};
 }
 
 void TrackMotion::learnSpeed(const Track& track) {
   const auto* turning = std::get_if<tws::MultipleModelFilter>(&track.filter);
-  if (turning == nullptr || params_.turning.fast_speed_sigma == 0.0) return;
+  const tws::MultipleModelParams& here = turningOf(track);
+  if (turning == nullptr || here.fast_speed_sigma == 0.0) return;
   constexpr double kFast = 3.0, kSure = 2.0;  // Standard deviations: of usual speeds, of this one.
-  const tws::PlanarMotion now = turning->predict(0.0, params_.turning);
+  const tws::PlanarMotion now = turning->predict(0.0, here);
   const double sigma = std::sqrt(0.5 * (now.velocity.xx + now.velocity.yy));
-  fast_share_.add(std::hypot(now.vx, now.vy) - kSure * sigma > kFast * params_.turning.speed_sigma);
+  fast_share_.add(std::hypot(now.vx, now.vy) - kSure * sigma > kFast * here.speed_sigma);
   params_.turning.fast_share = fast_share_.value();
+  for (Volume& volume : params_.volumes) volume.params.turning.fast_share = fast_share_.value();
 }
 
 void TrackMotion::branch(Track& track, const Track& parent, const Parting& parting, std::size_t radar) const {
@@ -189,10 +199,10 @@ void TrackMotion::update(Track& track, const std::vector<PlotChance>& plots, dou
     measurements.push_back({z, p.chance});
     if (!track.firm && p.chance > 0.5) {
       tws::MultipleModelFilter copy = filter;
-      track.fixed.moving_evidence += p.chance * (copy.update(z, dt, params_.turning) - updatePlace(track.fixed, z));
+      track.fixed.moving_evidence += p.chance * (copy.update(z, dt, turningOf(track)) - updatePlace(track.fixed, z));
     }
   }
-  filter.update(measurements, missed, dt, params_.turning);
+  filter.update(measurements, missed, dt, turningOf(track));
   track.smoothed = fromPlanar(filter.mean(), k.time + dt);
 }
 
@@ -214,7 +224,7 @@ double TrackMotion::updateTurning(Track& track, const tws::Plot& plot, const Rad
   const double dt = std::max(0.0, plot.time - track.smoothed.time);
   const tws::PlanarPosition z =
       tws::planarMeasurement(plot.range, plot.azimuth, quality.rangeSigma(plot), quality.azimuthSigma(plot));
-  const double log_likelihood = filter.update(z, dt, params_.turning);
+  const double log_likelihood = filter.update(z, dt, turningOf(track));
   if (!track.firm) track.fixed.moving_evidence += log_likelihood - updatePlace(track.fixed, z);
   track.smoothed = fromPlanar(filter.mean(), track.smoothed.time + dt);
   return log_likelihood;
@@ -226,13 +236,13 @@ double TrackMotion::updateJoined(Track& track, const tws::Plot& plot, const Rada
   tws::MultipleModelFilter& filter = std::get<tws::MultipleModelFilter>(track.filter);
   HeightGuess& guess = track.height_guess;
   const double dt = std::max(0.0, plot.time - track.smoothed.time);
-  guess.age(dt, params_.turning.assumed_height);
+  guess.age(dt, turningOf(track).assumed_height);
   shift(track, guess.flatten(plot.range));
   const GuessedPlace z = guess.placeOf(plot, quality.rangeSigma(plot), quality.azimuthSigma(plot), frames_[radar]);
-  const tws::PlanarPosition wider = guess.against(z), predicted = filter.predictPosition(dt, params_.turning);
-  const double log_likelihood = filter.update(wider, dt, params_.turning);
+  const tws::PlanarPosition wider = guess.against(z), predicted = filter.predictPosition(dt, turningOf(track));
+  const double log_likelihood = filter.update(wider, dt, turningOf(track));
   if (!track.firm) track.fixed.moving_evidence += log_likelihood - updatePlace(track.fixed, wider);
-  shift(track, guess.learn(z, predicted, params_.turning.assumed_height));
+  shift(track, guess.learn(z, predicted, turningOf(track).assumed_height));
   track.smoothed = fromPlanar(filter.mean(), track.smoothed.time + dt);
   return log_likelihood;
 }
@@ -254,7 +264,7 @@ double TrackMotion::squaredDistance(const Track& track, const tws::Plot& plot, d
   const tws::PlanarPosition z = guess.against(guess.placeOf(plot, range_sigma, azimuth_sigma, site));
   tws::PlanarPosition there;
   if (const auto* turning = std::get_if<tws::MultipleModelFilter>(&track.filter)) {
-    there = turning->predictPosition(dt, params_.turning);
+    there = turning->predictPosition(dt, turningOf(track));
   } else {
     // Without a covariance the track counts as good as the plot itself.
     const Kinematics k = at(track, plot.time).kinematics;
@@ -273,7 +283,7 @@ Extrapolation TrackMotion::at(const Track& track, double time) const {
                       polar->azimuth.velocity, time),
             false, tws::PlanarMotion{}};
   }
-  const tws::PlanarMotion planar = std::get<tws::MultipleModelFilter>(track.filter).predict(dt, params_.turning);
+  const tws::PlanarMotion planar = std::get<tws::MultipleModelFilter>(track.filter).predict(dt, turningOf(track));
   Extrapolation there{fromPlanar(planar, time), true, planar};
   if (joined_) {
     Kinematics& k = there.kinematics;
@@ -296,7 +306,7 @@ void TrackMotion::predict(Track& track, std::size_t radar, double time, const Ra
     return;
   }
   const tws::PlanarPosition there =
-      std::get<tws::MultipleModelFilter>(track.filter).predictPosition(dt, params_.turning);
+      std::get<tws::MultipleModelFilter>(track.filter).predictPosition(dt, turningOf(track));
   if (joined_) {
     predictJoined(track, there, quality);
   } else {
@@ -310,7 +320,7 @@ void TrackMotion::predict(Track& track, std::size_t radar, double time, const Ra
   p.innovation.yy += cross;
   // Hardly any manoeuvre stays hard for longer; without the limit a coasting track would take any other target's plots.
   constexpr double kLongestManoeuvre = 8.0;  // [s]
-  const double manoeuvre = tws::MultipleModelFilter::manoeuvreSigma(std::min(dt, kLongestManoeuvre), params_.turning);
+  const double manoeuvre = tws::MultipleModelFilter::manoeuvreSigma(std::min(dt, kLongestManoeuvre), turningOf(track));
   p.manoeuvre = manoeuvre * manoeuvre;
   p.log_volume = std::log(p.innovation.determinant() / (along * cross));
   const bool blind = params_.coverage.longest_gap > 0.0 && quality.coverage().isBlind(p.range, p.azimuth);

@@ -38,6 +38,13 @@ class TrackMotion {
   /// Where the radars stand, one frame a radar, from now on at more than one site. Needs the turning filter.
   void join(const std::vector<tws::SiteFrame>& frames);
   bool joined() const { return joined_; }
+  /// Are there volumes with parameters of their own?
+  bool hasVolumes() const { return !params_.volumes.empty(); }
+  /// By whose parameters the track goes from now on, at its latest place and a height above the antenna [m]; NaN:
+  /// unknown. What the filter knows stays.
+  void enterVolume(Track& track, double height) const {
+    track.volume = params_.volumeAt({track.smoothed.range, track.smoothed.azimuth, height}, track.volume);
+  }
   /// Of a track that was started when there was one site.
   void guessHeight(Track& track) const;
 
@@ -47,7 +54,7 @@ class TrackMotion {
   /// The track's first detection: at rest, where the plot is (section "Track Initiation").
   void start(Track& track, const tws::Plot& plot, const RadarQuality& quality, std::size_t radar = 0) const;
 
-  /// Learns from a track that has become firm how fast targets are here, for those that start from now on.
+  /// Learns from a track that has become firm how fast targets are, for those that start from now on.
   void learnSpeed(const Track& track);
 
   /// Corrects by a detection. Returns the natural logarithm of its likelihood [1/m²]; 0 with the α-β filter.
@@ -75,6 +82,7 @@ class TrackMotion {
   void predict(Track& track, std::size_t radar, double time, const RadarQuality& quality) const;
 
  private:
+  const tws::MultipleModelParams& turningOf(const Track& track) const { return params_.in(track.volume).turning; }
   void updatePolar(Track& track, const tws::Plot& plot) const;
   double updateTurning(Track& track, const tws::Plot& plot, const RadarQuality& quality) const;
   double updateJoined(Track& track, const tws::Plot& plot, const RadarQuality& quality, std::size_t radar) const;

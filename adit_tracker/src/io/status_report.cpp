@@ -54,6 +54,16 @@ void judgeLoad(const Adit& adit, const NodeState& state, const std::vector<std::
     add(diagnosis, Level::kWarning, std::to_string(state.skipped_sectors) + " sectors skipped");
 }
 
+/// Which volumes there are, and how much is in each.
+void listVolumes(const Adit& adit, Diagnosis& diagnosis) {
+  constexpr std::size_t kMostListed = 20;
+  const auto& volumes = adit.params().volumes;
+  for (std::size_t i = 0; i < std::min(volumes.size(), kMostListed); ++i) {
+    const auto firm = countOf(adit, [&](const Track& track) { return track.firm && track.volume == i + 1; });
+    diagnosis.values.emplace_back("firm tracks in volume " + volumes[i].name, std::to_string(firm));
+  }
+}
+
 void list(const Adit& adit, const NodeState& state, const std::vector<std::size_t>& ready, Diagnosis& diagnosis) {
   const auto value = [&](const std::string& name, std::uint64_t number) {
     diagnosis.values.emplace_back(name, std::to_string(number));
@@ -68,6 +78,7 @@ void list(const Adit& adit, const NodeState& state, const std::vector<std::size_
   value("slow tracks to clutter", adit.counts().to_clutter);
   value("moving clutter to tracks", adit.counts().to_track);
   value("tracks joined to a lost one", adit.counts().stitched);
+  listVolumes(adit, diagnosis);
   value("refused tracks", status.refused_tracks);
   value("late detections", status.late_detections);
   value("rejected detections", status.rejected_detections);
