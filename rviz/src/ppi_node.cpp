@@ -9,6 +9,7 @@
 #include <tws_msgs/Truth.h>
 #include <tws_runtime/conversions.h>
 #include <tws_runtime/intake.h>
+#include <tws_runtime/moving_frames.h>
 #include <tws_runtime/parameters.h>
 
 #include <map>
@@ -164,7 +165,7 @@ class PpiNode::Impl {
       // Before the first /clock nothing is known.
       if (!latest_.isZero() && secondsBetween(latest_, origin.header.stamp) > kFuture)
         throw std::invalid_argument("the stamp lies more than 10 s ahead of data time");
-      if (const auto place = placeOf(origin.header.frame_id))
+      if (const auto place = placeOf(origin.header))
         use(origin, *place);
       else
         missFrame(origin.header);
@@ -183,10 +184,11 @@ class PpiNode::Impl {
   }
 
   // Nothing: the transform is not there yet.
-  std::optional<PlanarFrame> placeOf(const std::string& frame) const {
-    if (frame == params_.frame) return PlanarFrame();
+  std::optional<PlanarFrame> placeOf(const std_msgs::Header& header) const {
+    if (header.frame_id == params_.frame) return PlanarFrame();
     try {
-      return planarFrame(bus_.transforms().lookupTransform(params_.frame, frame, ros::Time()).transform);
+      const ros::Time time = frames_.timeFor(params_.frame, header.frame_id, header.stamp);
+      return planarFrame(frames_.transforms().lookupTransform(params_.frame, header.frame_id, time).transform);
     } catch (const tf2::TransformException&) {
       return std::nullopt;
     }
@@ -239,6 +241,7 @@ class PpiNode::Impl {
 
   tws_runtime::Bus& bus_;
   const PpiParams params_;
+  tws_runtime::MovingFrames frames_{bus_};
   PpiPicture picture_;
   tws_runtime::Intake intake_{bus_, kRestartLimit, [this](double) { clear(); }};
   ros::Time latest_;

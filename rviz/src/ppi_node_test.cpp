@@ -1,6 +1,7 @@
 #include <tws_rviz/ppi_node.h>
 
 #include <gtest/gtest.h>
+#include <tf2_msgs/TFMessage.h>
 #include <tws_msgs/Detections.h>
 #include <tws_msgs/RadarMap.h>
 #include <tws_msgs/SectorMark.h>
@@ -117,6 +118,30 @@ TEST(PpiNode, AMissingTransformIsAFaultOnlyWhenItStaysAway) {
   graph.drain();
   EXPECT_EQ(count(graph, "refused tracks"), 1u);
   EXPECT_NE(log.str().find("'nowhere'"), std::string::npos);
+}
+
+// If this fails, the plots of a ship's radar are not drawn, as its frame is on /tf alone.
+TEST(PpiNode, ARadarOnAShipIsDrawnWhereTheShipIs) {
+  std::ostringstream log;
+  tws_runtime::LocalGraph graph(log);
+  PpiNode node(graph.addNode("ppi"));
+  tws_runtime::Bus& ship = graph.addNode("ship");
+  auto poses = ship.advertise<tf2_msgs::TFMessage>("/tf");
+  auto detections = ship.advertise<tws_msgs::Detections>("/sps12/detections");
+  tf2_msgs::TFMessage pose;
+  pose.transforms.resize(1);
+  pose.transforms[0].header.stamp = ros::Time(100.0);
+  pose.transforms[0].header.frame_id = "map";
+  pose.transforms[0].child_frame_id = "sps12";
+  pose.transforms[0].transform.rotation.w = 1.0;
+  poses.publish(pose);
+  tws_msgs::Detections sector;
+  sector.header.stamp = ros::Time(100.3);
+  sector.header.frame_id = "sps12";
+  detections.publish(sector);
+  graph.drain();
+  EXPECT_EQ(count(graph, "messages before their site's transform"), 0u);
+  EXPECT_EQ(log.str(), "");
 }
 
 TEST(PpiNode, RefusesUnknownParameters) {
