@@ -1,5 +1,5 @@
-// The tables that the tracker reads: plots; and clutter maps with what was learned of radars, which are written, read
-// again and loaded.
+// The tables that the tracker reads: plots; own ship's places; and clutter maps with what was learned of radars, which are
+// written, read again and loaded.
 #include <cmath>
 #include <sstream>
 
@@ -7,6 +7,7 @@
 #include "clutter/false_plot_map.h"
 #include "core/coverage_map.h"
 #include "fuzzing.h"
+#include "io/own_ship_csv.h"
 #include "io/plot_csv.h"
 
 namespace {
@@ -51,6 +52,18 @@ void load(const adit_tracker::RadarCounts& counts) {
   }
 }
 
+void readOwnShip(const std::string& text) {
+  std::istringstream input(text);
+  const adit_tracker::OwnShipTable table = adit_tracker::readOwnShip(input, kName);
+  for (const double time :
+       {table.ship.first(), 0.5 * (table.ship.first() + table.ship.latest()), table.ship.latest()}) {
+    const auto pose = table.ship.at(time);
+    if (pose && !(std::isfinite(pose->x) && std::isfinite(pose->y) && std::isfinite(pose->heading)))
+      found("own ship at no place");
+  }
+  if (!table.ship.at(table.ship.latest())) found("own ship's last place is not known");
+}
+
 void readClutter(const std::string& text) {
   adit_tracker::AditParams params;
   params.radars = {{}, {}};
@@ -71,5 +84,6 @@ void readClutter(const std::string& text) {
 void fuzzing::fuzz(std::string_view input) {
   const std::string text(input);
   readOrComplain(kName, [&] { readPlots(text); });
+  readOrComplain(kName, [&] { readOwnShip(text); });
   readOrComplain(kName, [&] { readClutter(text); });
 }

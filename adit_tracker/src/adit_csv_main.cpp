@@ -22,6 +22,8 @@
 #include "clutter/clutter_csv.h"
 #include "io/beam_times.h"
 #include "io/fate_csv.h"
+#include "io/moving_feed.h"
+#include "io/own_ship_csv.h"
 #include "io/plot_csv.h"
 #include "io/radar_spec.h"
 #include "io/sector_feed.h"
@@ -37,7 +39,7 @@ struct Options {
   std::uint32_t capacity = 0;  // 0: the parameter file's
   double epochs = 0.0;
   bool covariance = false;
-  std::string clutter_map, save_clutter_map, plots;  // files; empty: none
+  std::string clutter_map, save_clutter_map, plots, own_ship;  // files; empty: none
 };
 
 /// The radars that were named, else all of the file.
@@ -74,6 +76,8 @@ struct Input {
   AditParams params;
   SavedMaps maps;
   std::vector<std::unique_ptr<PlotFeed>> feeds;
+  std::unique_ptr<OwnShipTable> own_ship;  // none: the radars stand
+  std::vector<MovingFeed> moving;          // as many as feeds, on own ship
   bool has_elevations = false;
   bool wants_covariance = false;
   double first_time = std::numeric_limits<double>::infinity();
@@ -87,6 +91,26 @@ RadarParams paramsOf(const std::string& id, const std::vector<RadarParams>& give
   RadarParams radar;
   radar.name = id;
   return radar;
+}
+
+/// Own ship's track; its findings are said.
+std::unique_ptr<OwnShipTable> ownShipOf(const std::string& file) {
+  if (file.empty()) return nullptr;
+  auto table = std::make_unique<OwnShipTable>(readOwnShip(*tws::openText(file), file));
+  for (const std::string& complaint : table->complaints) std::cerr << complaint << '\n';
+  if (table->has_headings) std::cerr << file << ": has headings: azimuths are taken to be told from the bow\n";
+  if (table->origin) {
+    std::fprintf(stderr, "%s: positions are east and north of latitude %.7f deg, longitude %.7f deg\n", file.c_str(),
+                 tws::degrees(table->origin->latitude), tws::degrees(table->origin->longitude));
+  }
+  return table;
+}
+
+/// Azimuths told from the bow become those against north, where own ship's heading is known.
+std::vector<tws::Plot> againstNorth(std::vector<tws::Plot> plots, const OwnShip& ship) {
+  for (tws::Plot& plot : plots)
+    if (const auto pose = ship.at(plot.time)) plot.azimuth = tws::wrapTwoPi(plot.azimuth + pose->heading);
+  return plots;
 }
 
 /// The radar's sectors; mends its plots' times where the beam shows how. Sets the period of its scans [s].
@@ -103,9 +127,22 @@ std::unique_ptr<PlotFeed> feedOf(const RadarSpec& spec, std::vector<tws::Plot>& 
   return std::make_unique<SectorFeed>(plots, rotation);
 }
 
+/// The same of a radar on own ship. A ship that turns hides that plots are snapshots.
+void addMovingFeed(Input& input, const RadarSpec& spec, std::vector<tws::Plot>& plots, double& period) {
+  const OwnShipTable& own = *input.own_ship;
+  std::vector<tws::Plot> north = own.has_headings ? againstNorth(plots, own.ship) : std::vector<tws::Plot>();
+  const bool snapshots = own.has_headings && snapshotPeriod(north);
+  input.feeds.push_back(feedOf(spec, snapshots ? north : plots, period));
+  const AzimuthsFrom from = !own.has_headings ? AzimuthsFrom::kNorth
+                            : snapshots       ? AzimuthsFrom::kHeadings
+                                              : AzimuthsFrom::kBow;
+  input.moving.emplace_back(*input.feeds.back(), own.ship, from);
+}
+
 Input inputOf(const Options& options, PlotTable& table) {
   Input input;
   input.params = baseParams(options);
+  input.own_ship = ownShipOf(options.own_ship);
   input.has_elevations = table.has_elevations;
   input.wants_covariance = options.covariance;
   const std::vector<RadarParams> given = std::exchange(input.params.radars, {});
@@ -113,11 +150,17 @@ Input inputOf(const Options& options, PlotTable& table) {
     auto& plots = table.radars[spec.id];
     if (plots.empty()) throw std::runtime_error(options.detections + ": there is no plot of radar " + spec.id);
     input.params.radars.push_back(paramsOf(spec.id, given));
-    input.feeds.push_back(feedOf(spec, plots, input.params.radars.back().period));
+    double& period = input.params.radars.back().period;
+    if (input.own_ship)
+      addMovingFeed(input, spec, plots, period);
+    else
+      input.feeds.push_back(feedOf(spec, plots, period));
     input.first_time = std::min(input.first_time, plots.front().time);
     input.last_time = std::max(input.last_time, plots.back().time);
   }
   check(input.params);
+  if (input.own_ship && !joinsSites(input.params))
+    throw std::runtime_error("--own-ship needs the turning filter, statistical gates and a clutter map for each radar");
   if (!options.clutter_map.empty()) input.maps = loadClutterFile(options.clutter_map, ClutterLimits(input.params));
   return input;
 }
@@ -135,7 +178,7 @@ class Run {
     if (epochs_ > 0.0) epoch_ = std::ceil(input_.first_time / epochs_);
     while (const auto radar = earliest()) {
       pictures(*input_.feeds[*radar]->nextTime());
-      addAndProcess(adit_, *radar, input_.feeds[*radar]->take());
+      take(*radar);
     }
     adit_.finish();
     if (epochs_ > 0.0) pictures(std::numeric_limits<double>::infinity());
@@ -145,6 +188,16 @@ class Run {
   void tellPlots(std::ostream& output) {
     fates_.emplace(output);
     adit_.tellPlots([this](const SectorFates& sector) { fates_->add(adit_, sector); });
+  }
+
+  /// Throws std::runtime_error when no plot comes while own ship's place is known.
+  void checkOwnShip(const Options& options) const {
+    if (!input_.own_ship || adit_.counts().plots > 0) return;
+    char text[160];
+    std::snprintf(text, sizeof text, ": own ship's place is known from %.3f s to %.3f s, and no plot of ",
+                  input_.own_ship->ship.first(), input_.own_ship->ship.latest());
+    throw std::runtime_error(options.own_ship + text + options.detections +
+                             " comes within that; the times of both files must be of one clock");
   }
 
   bool hasFirmTracks() const { return adit_.counts().tracks_firm > 0; }
@@ -158,6 +211,7 @@ class Run {
               << "\ntracks stitched     " << n.stitched << "\ntracks dropped      " << n.tracks_dropped
               << "\ntracks refused      " << n.refused_tracks << " (capacity " << adit_.params().capacity
               << ")\nplots into clutter  " << absorbed() << '\n';
+    if (input_.own_ship) sumUpOwnShip();
     for (std::size_t i = 0; i < input_.feeds.size(); ++i) {
       std::fprintf(stderr,
                    "radar %-13s period %.4f s, range sigma %.0f m, azimuth sigma %.3f deg, %.1f false plots a scan\n",
@@ -168,6 +222,21 @@ class Run {
   }
 
  private:
+  void take(std::size_t radar) {
+    if (input_.moving.empty()) return addAndProcess(adit_, radar, input_.feeds[radar]->take());
+    for (MovingFeed::Sector& next : input_.moving[radar].take()) {
+      adit_.add(radar, std::move(next.sector), next.ship);
+      while (adit_.step()) continue;
+    }
+  }
+
+  void sumUpOwnShip() const {
+    std::size_t sectors = 0, plots = 0;
+    for (const MovingFeed& feed : input_.moving) sectors += feed.lostSectors(), plots += feed.lostPlots();
+    std::cerr << "own ship refused    " << input_.own_ship->refused << " lines\nown ship unknown    in " << sectors
+              << " sectors, with " << plots << " plots\n";
+  }
+
   /// The radar whose sector closes first; nothing: there are no more.
   std::optional<std::size_t> earliest() const {
     std::optional<std::size_t> best;
@@ -216,7 +285,7 @@ void run(const Options& options) {
               << (table.midnights == 1 ? " time" : " times") << " and are continued\n";
   if (table.plots == 0) throw std::runtime_error(options.detections + ": holds no usable plot");
   Input found = inputOf(options, table);
-  const std::vector<std::string> inputs{options.detections, options.clutter_map, options.params};
+  const std::vector<std::string> inputs{options.detections, options.clutter_map, options.params, options.own_ship};
   if (!options.save_clutter_map.empty()) tws::checkOutputPath(options.save_clutter_map, inputs);
   tws::OutputFile output(options.tracks, inputs);
   std::optional<tws::OutputFile> plots;
@@ -224,6 +293,7 @@ void run(const Options& options) {
   Run tracker(options.epochs, std::move(found), output.stream());
   if (plots) tracker.tellPlots(plots->stream());
   tracker.go();
+  tracker.checkOwnShip(options);
   output.finish();
   if (plots) plots->finish();
   if (!options.save_clutter_map.empty()) saveClutterFile(options.save_clutter_map, tracker.maps());
@@ -269,6 +339,10 @@ std::optional<int> parse(Options& options, int argc, char** argv) {
   app.add_flag("--covariance", options.covariance, "write the covariance of position and velocity, too");
   app.add_option("--plots", options.plots,
                  "write what became of each plot, and which tracks wanted it, into this file");
+  app.add_option(
+      "--own-ship", options.own_ship,
+      "CSV file of where the radars' ship was: t_s, x_m and y_m or lat_deg and lon_deg, and heading_deg where "
+      "azimuths are told from the bow");
   app.add_option("--clutter-map", options.clutter_map,
                  "clutter, false plots and cover that are known from the start: a file as saved");
   app.add_option("--save-clutter-map", options.save_clutter_map,
@@ -279,6 +353,8 @@ std::optional<int> parse(Options& options, int argc, char** argv) {
   try {
     app.parse(argc, argv);
     options.radars = parseRadars(radars);
+    if (!options.own_ship.empty() && !(options.clutter_map + options.save_clutter_map).empty())
+      throw std::invalid_argument("a clutter map is of one place: not with --own-ship");
     checkOutputs(
         {{"--tracks", options.tracks}, {"--plots", options.plots}, {"--save-clutter-map", options.save_clutter_map}});
   } catch (const CLI::ParseError& error) {

@@ -1,5 +1,7 @@
 #!/usr/bin/env python3
 """adit_csv from the command line: adit_csv_test.py PATH_OF_ADIT_CSV"""
+import collections
+import csv
 import math
 import os
 import re
@@ -314,6 +316,102 @@ class AditCsv(unittest.TestCase):
                 self.assertEqual(uid, line[5])
                 self.assertGreater(float(chance), 0.9)
                 self.assertLess(float(sigmas), 5)
+
+    @staticmethod
+    def voyage(turning=True, until=200.0):
+        """What a radar on a ship at 8 m/s sees (the ship's own track, plots from the bow, boats): six boats and twelve rocks."""
+        course = (lambda t: 0.8 * math.sin(t / 20)) if turning else (lambda t: 0.0)
+        ship, x, y = [], 0.0, 0.0
+        for i in range(int(until) + 2):
+            ship.append((float(i), x, y, course(i)))
+            for k in range(10):
+                x, y = x + 0.8 * math.sin(course(i + k / 10)), y + 0.8 * math.cos(course(i + k / 10))
+
+        def pose(t):
+            (_, x0, y0, h0), (_, x1, y1, h1) = ship[int(t)], ship[int(t) + 1]
+            f = t - int(t)
+            return x0 + f * (x1 - x0), y0 + f * (y1 - y0), h0 + f * (h1 - h0)
+
+        boats = [(900 * math.cos(k), 800 + 900 * math.sin(k), 6 * math.cos(2.3 * k), 6 * math.sin(2.3 * k)) for k in range(6)]
+        rocks = [(1300 * math.cos(0.5 * k), 700 + 1300 * math.sin(0.5 * k), 0.0, 0.0) for k in range(12)]
+        rows, noise = [], 0
+        for boat_x, boat_y, vx, vy in boats + rocks:
+            for turn in range(int(until / 2.5)):
+                t = 2.5 * turn
+                for _ in range(20):
+                    own_x, own_y, heading = pose(min(t, until))
+                    east, north = boat_x + vx * t - own_x, boat_y + vy * t - own_y
+                    t = 2.5 * (turn + (math.atan2(east, north) - heading) / math.tau % 1.0)
+                if t < until:
+                    noise = noise * 7 % 11 + 1  # without two the same in a row, nor a mean
+                    azimuth = math.degrees(math.atan2(east, north) - heading) + 0.05 * (noise - 6)
+                    rows.append((t, math.hypot(east, north) + noise - 6, azimuth % 360))
+        return ship, [f"{t:.4f},a,0,{r:.2f},{azimuth:.4f}" for t, r, azimuth in sorted(rows)], boats
+
+    def sail(self, ship, rows, *arguments, columns="t_s,x_m,y_m,heading_deg"):
+        path = os.path.join(self.folder.name, "own.csv")
+        with open(path, "w") as file:
+            file.write("\n".join([columns, *ship, ""]))
+        self.write(rows)
+        return self.start("--detections", self.detections, "--tracks", self.tracks, "--own-ship", path, "--params", "marine", *arguments)
+
+    def check_boats(self, boats, until=200.0):
+        with open(self.tracks) as file:
+            rows = [line.split(",") for line in file.read().splitlines()[1:]]
+        last = {row[1]: [float(value) for value in row[2:6]] for row in rows if float(row[0]) == until - 5}
+        self.assertEqual(len(last), len(boats), last)
+        for x, y, vx, vy in boats:
+            at = (x + vx * (until - 5), y + vy * (until - 5))
+            near = min(last.values(), key=lambda track: math.dist(track[:2], at))
+            self.assertLess(math.dist(near[:2], at), 25)
+            self.assertLess(math.dist(near[2:], (vx, vy)), 1.5)
+
+    # If this fails, a ship's recording gives tracks that turn and drift with the ship, and one of each rock.
+    def test_plots_of_a_ship_that_moves_and_turns_give_tracks_over_ground(self):
+        ship, rows, boats = self.voyage()
+        in_metres = [f"{t},{x:.3f},{y:.3f},{math.degrees(h):.4f}" for t, x, y, h in ship]
+        done = self.sail(in_metres, rows, "--epochs", "5")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("has headings: azimuths are taken to be told from the bow", done.stderr)
+        self.check_boats(boats)
+        ship, rows, boats = self.voyage(turning=False)
+        in_degrees = [f"{t},{60 + y / 111412.9:.8f},{5 + x / 55800.0:.8f}" for t, x, y, _ in ship]
+        done = self.sail(in_degrees, rows, "--epochs", "5", columns="t_s,lat_deg,lon_deg")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("positions are east and north of latitude 60.0000000 deg, longitude 5.0000000 deg", done.stderr)
+        self.check_boats(boats)
+
+    # If this fails, a slip in own ship's file gives wrong tracks and status 0.
+    def test_a_bad_file_of_own_ship_is_named(self):
+        ship, rows, _ = self.voyage()
+        good = [f"{t},{x:.3f},{y:.3f},{math.degrees(h):.4f}" for t, x, y, h in ship]
+        done = self.sail(good[:50] + ["60,nan,0,0", "60,0,0"] + good[90:], rows)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("own.csv:52: x_m", done.stderr)
+        self.assertRegex(done.stderr, "own ship refused +2 lines\nown ship unknown +in 9.. sectors, with [0-9]+ plots")
+        for lines, names, said in ((good, "t", "t_s"), (good[:1], "t_s", "needs two or more usable places"),
+                                   (["1e6,0,0,0", "1000001,0,0,0"], "t_s", "the times of both files must be of one clock")):
+            done = self.sail(lines, rows, columns=names + ",x_m,y_m,heading_deg")
+            self.assertEqual(done.returncode, 1)
+            self.assertRegex(done.stderr.splitlines()[-1], f"^adit_csv: .*own.csv.*{said}")
+        done = self.sail(good, rows, "--clutter-map", "map.csv")
+        self.assertEqual((done.returncode, done.stderr), (2, "adit_csv: a clutter map is of one place: not with --own-ship\n"))
+
+    # If this fails, a boat of a real radar on a vessel has no track.
+    def test_a_recording_made_on_a_vessel(self):
+        here = os.path.dirname(os.path.abspath(__file__))
+        folder = os.path.join(here, "vessel_recording")
+        done = self.start("--detections", f"{folder}/plots.csv", "--tracks", self.tracks, "--own-ship", f"{folder}/own_ship.csv",
+                          "--params", os.path.join(here, "..", "config", "marine.yaml"), "--epochs", "1")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        with open(self.tracks) as file:
+            places = collections.defaultdict(list)
+            for row in csv.DictReader(file):
+                places[int(float(row["t_s"]))].append((float(row["x_m"]), float(row["y_m"])))
+        with open(f"{folder}/truth.csv") as file:
+            truth = [(int(row["t_s"]), (float(row["x_m"]), float(row["y_m"]))) for row in csv.DictReader(file) if int(row["t_s"]) >= 10]
+        seen = sum(any(math.dist(place, boat) < 30 for place in places[t]) for t, boat in truth)
+        self.assertGreater(seen / len(truth), 0.75)
 
     def test_both_results_cannot_be_one_file(self):
         self.write(plots())

@@ -23,15 +23,27 @@ class Recording:
         chosen = [(frame, boats) for frame, boats in zip(frames, truth) if frame["sensorID"] == MARINE_RADAR]
         north, east = chosen[0][0]["ownshipPosition"]
         self.plots, self.truth = [], []  # (time, x, y); (time, {boat: (x, y)})
+        self.measured = []  # as self.plots, from the vessel as it moves
+        self.vessel = {}  # (x, y) by time: of all sensors' frames
+        for frame in frames:
+            own_north, own_east = frame["ownshipPosition"]
+            self.vessel[f"{frame['time'] - frames[0]['time']:.3f}"] = own_east - east, own_north - north
         for frame, boats in chosen:
             time, (own_north, own_east) = frame["time"] - frames[0]["time"], frame["ownshipPosition"]
             self.plots += [(time, e + own_east - east, n + own_north - north) for n, e in columns(frame["measurement"])]
+            self.measured += [(time, e, n) for n, e in columns(frame["measurement"])]
             self.truth.append((time, {boat["targetID"]: (boat["position"][1] - east, boat["position"][0] - north) for boat in boats}))
 
-    def write_plots(self, file):
+    def write_plots(self, file, measured=False):
+        """`measured`: as the radar on the vessel has measured them."""
         file.write("t_s,radar,range_m,az_deg\n")
-        for time, x, y in self.plots:
+        for time, x, y in self.measured if measured else self.plots:
             file.write(f"{time:.3f},marine,{math.hypot(x, y):.2f},{math.degrees(math.atan2(x, y)) % 360.0:.4f}\n")
+
+    def write_own_ship(self, file):
+        file.write("t_s,x_m,y_m\n")
+        for time, (x, y) in sorted(self.vessel.items(), key=lambda item: float(item[0])):
+            file.write(f"{time},{x:.3f},{y:.3f}\n")
 
 
 class Score:

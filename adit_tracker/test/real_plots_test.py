@@ -74,13 +74,26 @@ class RealPlots(unittest.TestCase):
 
     # If this fails, who connects a marine radar sees no boats in the set that is made for them, or too many that are none.
     def test_the_boats_of_a_real_marine_radar_have_tracks(self):
+        self.check_boats(lambda recording, plots, _: recording.write_plots(plots) or ())
+
+    # If this fails, they are lost as soon as the plots come as the radar on the vessel measures them.
+    def test_so_they_have_from_the_vessel_as_it_moves(self):
+        def write(recording, plots, vessel):
+            recording.write_plots(plots, measured=True)
+            recording.write_own_ship(vessel)
+            return "--own-ship", vessel.name
+
+        self.check_boats(write)
+
+    def check_boats(self, write):
         false_tracks = 0
         for name in marine_recording.NAMES:
             recording = marine_recording.Recording(os.path.join(SHARED, "data", "marine_autoferry"), name)
-            with tempfile.NamedTemporaryFile("w", suffix=".csv") as plots:
-                recording.write_plots(plots)
+            with tempfile.NamedTemporaryFile("w", suffix=".csv") as plots, tempfile.NamedTemporaryFile("w", suffix=".csv") as vessel:
+                arguments = write(recording, plots, vessel)
                 plots.flush()
-                score = marine_recording.Score(recording, track(plots.name, "--params", MARINE))
+                vessel.flush()
+                score = marine_recording.Score(recording, track(plots.name, "--params", MARINE, *arguments))
             with self.subTest(name):
                 self.assertGreaterEqual(score.completeness, 0.75)
             false_tracks += score.false_tracks

@@ -131,6 +131,7 @@ std::vector<ClutterPoint> ClutterMap::process(std::size_t radar_index, RadarStat
                                               double now, std::optional<double> judge_after) {
   std::vector<ClutterPoint> moving;
   const int sector = tws::wrapSector(static_cast<int>(running % tws::kSectors));
+  front_ = tws::wrapSector(sector + 1);
   const double same_scan = std::min(kSameScan, 0.5 * radar.antenna.period());
   std::uint32_t next = 0;
   for (std::uint32_t n = sectors_.first(sector); n != tws::SectorFile::kNone; n = next) {
@@ -155,6 +156,28 @@ std::vector<ClutterPoint> ClutterMap::process(std::size_t radar_index, RadarStat
     sectors_.addLast(n, place);
   }
   return moving;
+}
+
+/// Would a point that moves to another sector miss its turn?
+bool ClutterMap::wouldPass(int from, int to) const {
+  return tws::sectorDifference(from, front_) >= 0 && tws::sectorDifference(to, front_) < 0 &&
+         std::abs(tws::sectorDifference(to, from)) < tws::kSectors / 4;
+}
+
+void ClutterMap::moveOrigin(double dx, double dy) {
+  std::vector<std::uint32_t> all;
+  for (int sector = 0; sector < tws::kSectors; ++sector)
+    for (auto n = sectors_.first(sector); n != tws::SectorFile::kNone; n = sectors_.next(n)) all.push_back(n);
+  for (const std::uint32_t n : all) {
+    ClutterPoint& point = points_[n];
+    adit_tracker::moveOrigin(point.range, point.azimuth, dx, dy);
+    if (point.reference.time != kNever)
+      adit_tracker::moveOrigin(point.reference.range, point.reference.azimuth, dx, dy);
+    const int from = sectors_.sector(n), to = tws::sectorOf(point.azimuth);
+    if (from == to || wouldPass(from, to)) continue;
+    sectors_.remove(n);
+    sectors_.addLast(n, to);
+  }
 }
 
 bool ClutterMap::insert(ClutterPoint point) {

@@ -41,6 +41,9 @@ class ClutterMap {
   std::vector<ClutterPoint> process(std::size_t radar_index, RadarState& radar, std::int64_t running, double now,
                                     std::optional<double> judge_after);
 
+  /// The origin of ranges and azimuths moves [m], the points do not.
+  void moveOrigin(double dx, double dy);
+
   /// A new point; false: the map is full.
   bool initiate(const tws::Plot& plot, std::size_t radar);
   /// A point from a track that has become slow: it takes detections at once.
@@ -74,12 +77,14 @@ class ClutterMap {
   void take(ClutterPoint& point, Detection& detection, std::size_t radar);
   void place(ClutterPoint& point, const tws::SiteFrame& site) const;
   bool moves(ClutterPoint& point, double judge_after) const;
+  bool wouldPass(int from, int to) const;
 
   AditParams params_;
   std::int32_t most_hits_;  // with which a point absorbs wherever it is
   tws::NumberFile numbers_;
   tws::SectorFile sectors_;
   std::vector<ClutterPoint> points_;  // by number
+  int front_ = 0;                     // sector to be processed next
   std::uint32_t size_ = 0;
   std::uint64_t absorbed_ = 0;
 };

@@ -36,6 +36,10 @@ bool ClutterMaps::adopt(double range, double azimuth, double time, std::size_t r
   return adopted;
 }
 
+void ClutterMaps::moveOrigin(double dx, double dy) {
+  for (ClutterMap& map : maps_) map.moveOrigin(dx, dy);
+}
+
 std::size_t ClutterMaps::load(const std::vector<ClutterPlace>& places, double time) {
   ClutterLimits limits(params_);
   for (const ClutterPlace& place : places) {

@@ -23,6 +23,9 @@ class ClutterMaps {
   /// A track that surely moves has used the detection that this point of the radar's map was after.
   void disclaim(std::uint32_t number, std::size_t radar) { mapOf(radar).disclaim(number); }
 
+  /// The origin of ranges and azimuths moves [m], the clutter does not. Needs a map for each radar.
+  void moveOrigin(double dx, double dy);
+
   /// Clutter is known to stand there, as of `time` [s] (see ClutterMap::load). The map of a radar without a sector yet
   /// gets its points with the radar's first one. Places of all radars go into every map, and a common map takes those
   /// of each radar; what two radars say of one point there is one point. Returns for how many points there was no

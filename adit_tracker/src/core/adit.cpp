@@ -71,13 +71,27 @@ bool Adit::addIff(std::size_t iff, tws::RadarSector sector, const tws::SiteFrame
 }
 
 void Adit::add(std::size_t radar, tws::RadarSector sector) {
+  addToOrder(radar, sector);
+  intake_.add(radar, std::move(sector));
+}
+
+void Adit::add(std::size_t radar, tws::RadarSector sector, const Passage& ship) {
+  if (!joinsSites(params_) || radars_.severalSites()) {
+    throw std::invalid_argument("radar " + params_.radars[radar].name +
+                                ": own ship that moves needs the turning filter and a clutter map for each radar, and "
+                                "all radars on it");
+  }
+  addToOrder(radar, sector);
+  intake_.add(radar, std::move(sector), ship);
+}
+
+void Adit::addToOrder(std::size_t radar, const tws::RadarSector& sector) {
   const std::int64_t newest = order_.newest(radar);
   if (sector.running <= newest) {
     throw std::invalid_argument("radar " + params_.radars[radar].name + ": sector " + std::to_string(sector.running) +
                                 " comes after sector " + std::to_string(newest));
   }
   if (!order_.add({radar, sector.running}, sector.enter_time, sector.leave_time)) ++counts_.late_sectors;
-  intake_.add(radar, std::move(sector));
 }
 
 bool Adit::step() {
@@ -96,7 +110,15 @@ void Adit::skip() {
 }
 
 void Adit::tellPlots(PlotTeller::Sink sink) {
-  teller_.start(std::move(sink), radars_.size());
+  const auto tell = [this, sink = std::move(sink)](const SectorFates& sector) {
+    const auto& ship = radars_.at(sector.radar).detections.at(sector.running).ship;
+    if (!ship) return sink(sector);
+    SectorFates measured = sector;
+    for (PlotFate& fate : measured.plots)
+      asMeasured(origin(), *ship, fate.plot.time, fate.plot.range, fate.plot.azimuth);
+    sink(measured);
+  };
+  teller_.start(tell, radars_.size());
   correlator_.keepClaims();
 }
 
@@ -132,8 +154,28 @@ void Adit::begin(const tws::SectorRef& sector) {
 
 void Adit::end() {
   ++counts_.sectors;
+  const tws::SectorRef sector{tracks_.latest().radar, tracks_.latest().running};
+  const auto& ship = radars_.at(sector.radar).detections.at(sector.running).ship;
+  if (ship) {
+    tracks_.tellAsMeasured(origin(), *ship);
+    radars_.at(sector.radar).pose = ship->from;
+  }
   if (sink_) sink_(tracks_.latest());
   tracks_.end();
+  if (ship) follow(sector, *ship);
+}
+
+/// Own ship has moved. All that the tracker knows is seen from there, so that polar coordinates, gates and sectors are
+/// the radar's own; what stands still over ground, stands.
+void Adit::follow(const tws::SectorRef& sector, const Passage& ship) {
+  // Less than radars of ships err. Two radars of one ship must not pull to and fro.
+  constexpr double kNear = 3.0, kNearOther = 100.0;  // [m]
+  const double dx = ship.to.x - origin().x, dy = ship.to.y - origin().y;
+  if (std::hypot(dx, dy) < (sector.radar == 0 ? kNear : kNearOther)) return;
+  radars_.moveOrigin(dx, dy);
+  clutter_.moveOrigin(dx, dy);
+  tracks_.moveOrigin(dx, dy);
+  for (const auto slot : tracks_.living()) meeting_.refile(slot);
 }
 
 /// A sector that is skipped. The clutter map must have seen those that are not any more.

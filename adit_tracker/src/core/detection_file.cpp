@@ -9,6 +9,10 @@
 namespace adit_tracker {
 
 void DetectionSector::index() {
+  // Of plots at equal range the earlier goes first, so that the result is the same in every run.
+  std::sort(detections.begin(), detections.end(), [](const Detection& a, const Detection& b) {
+    return std::tie(a.plot.range, a.plot.time, a.plot.azimuth) < std::tie(b.plot.range, b.plot.time, b.plot.azimuth);
+  });
   places.clear();
   middle = tws::sectorStart(tws::wrapSector(static_cast<int>(running % tws::kSectors))) + 0.5 * tws::kSectorWidth;
   spread = 0.0;
@@ -34,12 +38,17 @@ DetectionSector& DetectionFile::add(const tws::RadarSector& sector) {
   slot.leave_time = sector.leave_time;
   slot.detections.clear();
   for (const tws::Plot& plot : sector.plots) slot.detections.emplace_back().plot = plot;
-  // Of plots at equal range the earlier goes first, so that the result is the same in every run.
-  std::sort(slot.detections.begin(), slot.detections.end(), [](const Detection& a, const Detection& b) {
-    return std::tie(a.plot.range, a.plot.time, a.plot.azimuth) < std::tie(b.plot.range, b.plot.time, b.plot.azimuth);
-  });
+  slot.ship.reset();
   slot.index();
   return slot;
+}
+
+void DetectionFile::moveOrigin(double dx, double dy) {
+  for (DetectionSector& sector : sectors_) {
+    if (sector.detections.empty()) continue;
+    for (Detection& each : sector.detections) adit_tracker::moveOrigin(each.plot.range, each.plot.azimuth, dx, dy);
+    sector.index();
+  }
 }
 
 DetectionSector& DetectionFile::at(std::int64_t running) {

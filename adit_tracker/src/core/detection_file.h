@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include <tws_core/angles.h>
 #include <tws_core/plot.h>
+#include "core/passage.h"
 #include "core/plot_fates.h"
 
 namespace adit_tracker {
@@ -54,6 +56,7 @@ struct DetectionSector {
 
   std::int64_t running = -1;
   double enter_time = 0.0, leave_time = 0.0;
+  std::optional<Passage> ship;        // own ship meanwhile, if the radar is on one
   std::vector<Detection> detections;  // in order of range
   std::vector<Place> places;          // theirs, side by side for the search
   std::vector<std::uint32_t> begins;  // of each range bin, in `places`; as many bins as detections
@@ -61,7 +64,7 @@ struct DetectionSector {
   // All azimuths lie within `spread` of `middle`: by the errors of the radar, some lie outside of the sector.
   double middle = 0.0, spread = 0.0;
 
-  /// To be called when `detections` are there: fills what follows them.
+  /// To be called when `detections` are there: brings them into order and fills what follows them.
   void index();
 
   /// Calls `take(detection, range difference, azimuth difference)` for each detection within the half-widths [m, rad]
@@ -113,6 +116,9 @@ class DetectionFile {
 
   /// An empty sector with running -1 when it is not there (never received, or too old).
   DetectionSector& at(std::int64_t running);
+
+  /// The origin of their ranges and azimuths moves [m].
+  void moveOrigin(double dx, double dy);
 
   static constexpr std::int64_t kKept = 128;  // sectors: two scans
 

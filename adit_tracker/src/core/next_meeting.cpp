@@ -56,6 +56,16 @@ void NextMeeting::moveOn(TrackFile::Slot slot, std::size_t radar) {
   }
 }
 
+void NextMeeting::refile(TrackFile::Slot slot) {
+  Track& track = tracks_.at(slot);
+  predict(track, 0);
+  const int from = tracks_.sector(slot), to = tws::sectorOf(track.predicted.azimuth);
+  if (from == to) return;
+  for (std::size_t radar = 0; radar < radars_.size(); ++radar)
+    if (wouldMiss(from, to, radar)) return;
+  tracks_.place(slot, to);
+}
+
 /// The sector in which the track's next illumination by a radar of another site will be, as far as is known now.
 int NextMeeting::sectorElsewhere(const Track& track, std::size_t site) const {
   double earliest = std::numeric_limits<double>::infinity();

@@ -33,6 +33,9 @@ class NextMeeting {
   /// Puts a track into the sector where its next illumination will be, unless another radar would then miss it: that
   /// radar's processing has passed the new sector, but not the old one.
   void moveOn(TrackFile::Slot slot, std::size_t radar);
+  /// The plane's origin has moved, and with it the track's direction: predicts it anew and puts it into the sector
+  /// there, unless its radar would then miss it. Of radars at one site.
+  void refile(TrackFile::Slot slot);
   /// Puts a new track into the sectors of all sites; `site`: whose radar has detected it.
   void enter(TrackFile::Slot slot, std::size_t site);
   /// Radars of one more site, the last, take part: puts these tracks into its sectors.

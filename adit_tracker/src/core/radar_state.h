@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <deque>
+#include <optional>
 
 #include <tws_core/antenna.h>
 #include <tws_core/site_frame.h>
@@ -9,6 +10,7 @@
 #include "clutter/false_plot_map.h"
 #include "core/coverage_map.h"
 #include "core/detection_file.h"
+#include "core/passage.h"
 
 namespace adit_tracker {
 
@@ -58,6 +60,12 @@ class RadarQuality {
   CoverageMap coverage_;
 };
 
+/// A sector that has come before its turn.
+struct WaitingSector {
+  tws::RadarSector sector;
+  std::optional<Passage> ship;  // own ship meanwhile, if the radar is on one
+};
+
 /// One radar as the tracker sees it.
 struct RadarState {
   RadarState(const RadarParams& params, bool learn) : antenna(params.period), quality(params, learn) {}
@@ -65,7 +73,9 @@ struct RadarState {
   tws::Antenna antenna;
   DetectionFile detections;
   RadarQuality quality;
-  std::deque<tws::RadarSector> waiting;  // sectors that have come before their turn
+  std::deque<WaitingSector> waiting;
+  tws::RadarSector latest;   // of those that are not waiting, as it came; on own ship only
+  std::optional<Pose> pose;  // when the sector processed last began, on own ship
   tws::SiteFrame frame;
   std::size_t site = 0;
   bool joined = true;  // its site has sectors already

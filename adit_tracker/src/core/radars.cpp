@@ -28,6 +28,12 @@ bool Radars::join(std::size_t radar) {
   return is_new;
 }
 
+void Radars::moveOrigin(double dx, double dy) {
+  origin_.x += dx;
+  origin_.y += dy;
+  for (RadarState& radar : radars_) radar.detections.moveOrigin(dx, dy);
+}
+
 std::vector<tws::SiteFrame> Radars::frames() const {
   std::vector<tws::SiteFrame> frames;
   for (const RadarState& each : radars_) frames.push_back(each.joined ? each.frame : tws::SiteFrame{});

@@ -41,6 +41,10 @@ class Radars {
   void load(const std::vector<RadarCounts>& counts);
   /// Throws std::invalid_argument that says why they cannot be loaded.
   void check(const std::vector<RadarCounts>& counts) const;
+  /// What all ranges and azimuths are counted from: where the radars stand, or, on own ship, where it was a moment ago.
+  const PlaneOrigin& origin() const { return origin_; }
+  /// Own ship has moved [m]: the plots in hand are seen from there.
+  void moveOrigin(double dx, double dy);
 
   /// Where each radar stands; the first radar's site as long as it has not joined.
   std::vector<tws::SiteFrame> frames() const;
@@ -51,6 +55,7 @@ class Radars {
   std::vector<RadarState> radars_;
   std::vector<std::string> names_;
   std::vector<tws::SiteFrame> sites_{tws::SiteFrame{}};
+  PlaneOrigin origin_;
   std::size_t reference_;
 };
 

@@ -27,10 +27,10 @@ std::size_t dropCopies(std::vector<tws::Plot>& plots) {
 
 }  // namespace
 
-void SectorIntake::add(std::size_t radar, tws::RadarSector sector) {
+void SectorIntake::add(std::size_t radar, tws::RadarSector sector, const std::optional<Passage>& ship) {
   sift(radar, sector);
   counts_.plots += sector.plots.size();
-  radars_.at(radar).waiting.push_back(std::move(sector));
+  radars_.at(radar).waiting.push_back({std::move(sector), ship});
 }
 
 /// Takes out what makes no sense, what comes too late, and what has come already.
@@ -54,7 +54,11 @@ void SectorIntake::sift(std::size_t radar, tws::RadarSector& sector) {
 bool SectorIntake::cameBefore(std::size_t radar, std::int64_t running, const tws::Plot& plot) {
   const auto& waiting = radars_.at(radar).waiting;
   const auto same = [&](const tws::Plot& other) { return isCopy(other, plot); };
-  if (!waiting.empty()) return std::any_of(waiting.back().plots.begin(), waiting.back().plots.end(), same);
+  const auto holds = [&](const tws::RadarSector& sector) {
+    return std::any_of(sector.plots.begin(), sector.plots.end(), same);
+  };
+  if (!waiting.empty()) return holds(waiting.back().sector);
+  if (radars_.at(radar).latest.running == running - 1 && holds(radars_.at(radar).latest)) return true;
   const auto& before = radars_.at(radar).detections.at(running - 1).detections;
   return std::any_of(before.begin(), before.end(), [&](const Detection& d) { return same(d.plot); });
 }
@@ -62,13 +66,20 @@ bool SectorIntake::cameBefore(std::size_t radar, std::int64_t running, const tws
 void SectorIntake::admit(const tws::SectorRef& sector) {
   RadarState& radar = radars_.at(sector.radar);
   auto& waiting = radar.waiting;
-  for (; !waiting.empty() && waiting.front().running <= sector.running + ahead_; waiting.pop_front()) {
-    const tws::RadarSector& next = waiting.front();
-    radar.antenna.cross(next.running, next.enter_time);
-    radar.antenna.cross(next.running + 1, next.leave_time);
-    radar.detections.add(next);
-    for (const tws::Plot& plot : next.plots) radar.quality.falsePlotMap().addRange(plot.range);
+  for (; !waiting.empty() && waiting.front().sector.running <= sector.running + ahead_; waiting.pop_front())
+    letIn(radar, waiting.front());
+}
+
+void SectorIntake::letIn(RadarState& radar, WaitingSector& next) {
+  tws::RadarSector& sector = next.sector;
+  radar.antenna.cross(sector.running, sector.enter_time);
+  radar.antenna.cross(sector.running + 1, sector.leave_time);
+  for (const tws::Plot& plot : sector.plots) radar.quality.falsePlotMap().addRange(plot.range);
+  if (next.ship) {
+    radar.latest = sector;
+    for (tws::Plot& plot : sector.plots) plot = seenFrom(radars_.origin(), *next.ship, plot);
   }
+  radar.detections.add(sector).ship = next.ship;
 }
 
 }  // namespace adit_tracker

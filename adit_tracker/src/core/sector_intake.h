@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "core/adit_counts.h"
 #include "core/radars.h"
 
@@ -15,8 +17,8 @@ class SectorIntake {
 
   /// A closed sector of a radar. Plots that are not finite or whose range is not in (0, 10 000 km] are left out and
   /// counted; so are late ones, of which the beam met the target more than a sector before it entered this one, and
-  /// copies of plots.
-  void add(std::size_t radar, tws::RadarSector sector);
+  /// copies of plots. `ship`: own ship meanwhile, if the radar is on one.
+  void add(std::size_t radar, tws::RadarSector sector, const std::optional<Passage>& ship = std::nullopt);
 
   /// Lets in what the processing of that sector may look at. What else has come must not matter, or the result would
   /// depend on how the radars' messages interleave.
@@ -25,6 +27,7 @@ class SectorIntake {
  private:
   void sift(std::size_t radar, tws::RadarSector& sector);
   bool cameBefore(std::size_t radar, std::int64_t running, const tws::Plot& plot);
+  void letIn(RadarState& radar, WaitingSector& next);
 
   Radars& radars_;
   AditCounts& counts_;

@@ -40,6 +40,12 @@ void TrackBook::end() {
   }
 }
 
+void TrackBook::tellAsMeasured(const PlaneOrigin& origin, const Passage& ship) {
+  for (TrackUpdate& update : report_.updates) {
+    if (!std::isnan(update.plot_range)) asMeasured(origin, ship, update.time, update.plot_range, update.plot_azimuth);
+  }
+}
+
 bool TrackBook::isDropped(Slot slot) const {
   return !dropped_.empty() && std::find(dropped_.begin(), dropped_.end(), slot) != dropped_.end();
 }
@@ -268,6 +274,10 @@ void TrackBook::dropByHand(Slot slot) {
   tracks_.withdraw(slot);
   reportByHand(slot, TrackEvent::kDropped);
   ++counts_.tracks_dropped;
+}
+
+void TrackBook::moveOrigin(double dx, double dy) {
+  for (const auto slot : living()) motion_.moveOrigin(tracks_.at(slot), dx, dy);
 }
 
 void TrackBook::join(const std::vector<tws::SiteFrame>& frames) {

@@ -56,6 +56,8 @@ class TrackBook {
   /// Of the sector at hand, or processed last. Of radar 0 and at 0 s before the first one.
   const SectorReport& latest() const { return report_; }
   void markSkipped() { report_.skipped = true; }
+  /// The plots of the report's updates are told as their radar has measured them.
+  void tellAsMeasured(const PlaneOrigin& origin, const Passage& ship);
   /// Dropped in the sector at hand?
   bool isDropped(Slot slot) const;
 
@@ -88,6 +90,9 @@ class TrackBook {
   /// By hand, between two sectors: its update comes with the next one.
   void dropByHand(Slot slot);
   void reportByHand(Slot slot, TrackEvent event) { by_hand_.push_back({slot, event, report_.enter_time}); }
+
+  /// The origin of the plane moves [m], the tracks do not.
+  void moveOrigin(double dx, double dy);
 
   /// Radars at more than one site take part, one frame a radar. Heights are guessed from then on.
   void join(const std::vector<tws::SiteFrame>& frames);

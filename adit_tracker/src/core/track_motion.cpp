@@ -110,6 +110,18 @@ void TrackMotion::relocate(Track& track, double x, double y) const {
   track.smoothed = fromPlanar(std::get<tws::MultipleModelFilter>(track.filter).mean(), track.smoothed.time);
 }
 
+void TrackMotion::moveOrigin(Track& track, double dx, double dy) const {
+  shift(track, {-dx, -dy, {}});
+  tws::PlanarMotion motion;
+  motion.x = track.smoothed.x - dx;
+  motion.y = track.smoothed.y - dy;
+  motion.vx = track.smoothed.vx;
+  motion.vy = track.smoothed.vy;
+  track.smoothed = fromPlanar(motion, track.smoothed.time);
+  if (track.reference.time != kNever) adit_tracker::moveOrigin(track.reference.range, track.reference.azimuth, dx, dy);
+  adit_tracker::moveOrigin(track.predicted.range, track.predicted.azimuth, dx, dy);
+}
+
 void TrackMotion::start(Track& track, const tws::Plot& plot, const RadarQuality& quality, std::size_t radar) const {
   track.first_time = track.last_update = plot.time;
   track.updates = 1;

@@ -51,6 +51,9 @@ class TrackMotion {
   /// Moves a track that has just been started to a place on the plane [m].
   void relocate(Track& track, double x, double y) const;
 
+  /// The origin of the plane moves [m], the track does not. Needs the turning filter.
+  void moveOrigin(Track& track, double dx, double dy) const;
+
   /// The track's first detection: at rest, where the plot is (section "Track Initiation").
   void start(Track& track, const tws::Plot& plot, const RadarQuality& quality, std::size_t radar = 0) const;
 

@@ -28,8 +28,8 @@ void TrackCsv::row(const Adit& adit, TrackFile::Slot slot, double time) {
   const Extrapolation now = adit.tracks().extrapolate(slot, time);
   const Kinematics& k = now.kinematics;
   char text[200];
-  std::snprintf(text, sizeof text, "%.4f,%u,%.1f,%.1f,%.2f,%.2f,%s", time, track.uid, k.x, k.y, k.vx, k.vy,
-                statusOf(adit, track));
+  std::snprintf(text, sizeof text, "%.4f,%u,%.1f,%.1f,%.2f,%.2f,%s", time, track.uid, k.x + adit.origin().x,
+                k.y + adit.origin().y, k.vx, k.vy, statusOf(adit, track));
   output_ << text;
   if (with_heights_) heightColumns(adit.tracks().height(slot, time));
   if (with_covariances_) covarianceColumns(now);

@@ -7,9 +7,10 @@
 
 namespace adit_tracker {
 
-/// Writes tracks as `t_s,track_id,x_m,y_m,vx_mps,vy_mps,status`: x east, y north of the radars; slant range laid on the
-/// plane. With heights, `height_m,height_sigma_m` follow: above the radars, empty where unknown. With covariances, the
-/// upper triangle of that of (x, y, vx, vy) follows, row by row, in units of m and s; empty where the filter has none.
+/// Writes tracks as `t_s,track_id,x_m,y_m,vx_mps,vy_mps,status`: x east, y north of the radars (on own ship: in the
+/// fixed frame); slant range laid on the plane. With heights, `height_m,height_sigma_m` follow: above the radars, empty
+/// where unknown. With covariances, the upper triangle of that of (x, y, vx, vy) follows, row by row, in units of m and
+/// s; empty where the filter has none.
 class TrackCsv {
  public:
   explicit TrackCsv(std::ostream& output, bool with_heights = false, bool with_covariances = false);
