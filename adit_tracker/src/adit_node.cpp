@@ -16,6 +16,7 @@
 #include "core/adit.h"
 #include "elevation/elevation_interface.h"
 #include "iff/iff_interface.h"
+#include "io/own_ship_gate.h"
 #include "io/radar_map_message.h"
 #include "io/radar_sites.h"
 #include "io/status_report.h"
@@ -53,6 +54,11 @@ class AditNode::Impl {
         iff_(bus, params_.frame, params_.adit.iff, params_.inputs.restart_limit),
         sites_(bus, params_.frame, namesOf(params_.adit), joinsSites(params_.adit),
                [this](std::size_t radar) -> const std::string& { return inputs_.frame(radar); }),
+        own_ship_(bus, params_.frame, params_.own_ship, namesOf(params_.adit),
+                  [this](std::size_t radar, tws::RadarSector sector, const Passage& ship) {
+                    adit_->add(radar, std::move(sector), ship);
+                    scheduleWork(own_ship_.waiting() > 0);  // what waited for a pose is no overload
+                  }),
         troubles_(bus, params_.adit, params_.overflow),
         inputs_(
             bus, topicsOf(params_.adit), params_.inputs,
@@ -60,6 +66,7 @@ class AditNode::Impl {
             [this](double time) {
               operators_.beginNewRun();
               iff_.beginNewRun(time);
+              own_ship_.beginNewRun(time);
               begin();
             }) {
     begin();
@@ -79,19 +86,29 @@ class AditNode::Impl {
   }
 
   OperatorInterface::Host operatorHost() {
-    return {[this](std::string& why) { return caughtUp(why); }, [this]() -> const Site& { return sites_.origin(); }};
+    return {[this](std::string& why) { return caughtUp(why); }, [this]() -> const Site& { return origin(); }};
+  }
+
+  /// Of the frame of positions itself, when own ship moves in it.
+  const Site& origin() const {
+    static const Site kFrame;
+    return own_ship_.isOn() ? kFrame : sites_.origin();
   }
 
   void onSector(std::size_t radar, tws::RadarSector sector) {
     heard_[radar] = sector.leave_time;
     iff_.radarsAt(sector.leave_time);
+    if (own_ship_.isOn()) return own_ship_.add(radar, inputs_.frame(radar), std::move(sector));
     // For a site, or to see whether a new run begins: that is no overload.
     const bool all_at_once = sites_.waiting() > 0 || inputs_.intake().isReleasing();
     sites_.add(radar, std::move(sector), [this, radar](tws::RadarSector ready) {
       adit_->place(radar, sites_.frame(radar));
       adit_->add(radar, std::move(ready));
     });
-    if (sites_.waiting() > 0) return;
+    if (sites_.waiting() == 0) scheduleWork(all_at_once);
+  }
+
+  void scheduleWork(bool all_at_once) {
     while (all_at_once && workOne()) continue;
     if (!bus_.live()) return work();
     if (!scheduled_) bus_.whenDrained([this] { work(); });
@@ -155,7 +172,7 @@ class AditNode::Impl {
     tws_msgs::Tracks message =
         tracks_.message(report.enter_time, params_.adit.radars[report.radar].name, report.running);
     for (const TrackUpdate& update : report.updates) {
-      message.tracks.push_back(trackMessage(*adit_, update, sites_.origin()));
+      message.tracks.push_back(trackMessage(*adit_, update, origin()));
     }
     tracks_.publish(message);
     if (message.sector == 0) publishClutter(report);
@@ -214,6 +231,7 @@ class AditNode::Impl {
   ClutterInterface clutter_interface_;
   IffInterface iff_;
   RadarSites sites_;
+  OwnShipGate own_ship_;
   TroubleReport troubles_;
   std::vector<double> heard_;                       // of each radar: the end of its last sector [s]
   std::uint32_t operator_calls_ = 0, skipped_ = 0;  // since the last status

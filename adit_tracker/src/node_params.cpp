@@ -13,6 +13,19 @@ namespace {
 // Clocks that jump by less than this lose no track [s].
 constexpr double kLeastSkew = 1.0;
 
+void readOwnShip(tws_runtime::ParameterReader& reader, OwnShipParams& params) {
+  reader.text("own_ship_frame", params.frame);
+  reader.number("own_ship_wait_s", params.wait, 0.0, 60.0);
+}
+
+void checkOwnShip(tws_runtime::ParameterReader& reader, const NodeParams& params) {
+  if (params.own_ship.frame.empty()) return;
+  if (!joinsSites(params.adit))
+    reader.fail("own_ship_frame", "needs filter: turning, gates: statistical, clutter/per_radar: true");
+  if (!params.adit.iff.empty()) reader.fail("own_ship_frame", "does not go with iff");
+  if (!params.clutter_map.empty()) reader.fail("own_ship_frame", "does not go with clutter_map, which is of one place");
+}
+
 }  // namespace
 
 NodeParams readNodeParams(tws_runtime::Bus& bus) {
@@ -26,12 +39,14 @@ NodeParams readNodeParams(tws_runtime::Bus& bus) {
   reader.integer("overflow_sectors", params.overflow, 0, 1000000);
   reader.text("point_topic", params.point_topic);
   reader.flag("plot_fates", params.plot_fates);
+  readOwnShip(reader, params.own_ship);
   reader.text("clutter_map", params.clutter_map);
   reader.text("clutter_map_folder", params.clutter_map_folder);
   reader.done();
   if (params.inputs.wait_limit >= params.adit.skew_limit) {
     reader.fail("wait_limit_s", "must be less than skew_limit_s, or what replaces lost messages comes too late");
   }
+  checkOwnShip(reader, params);
   params.inputs.skew_limit = std::max(kLeastSkew, params.adit.skew_limit);
   try {
     check(params.adit);

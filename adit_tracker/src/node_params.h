@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "adit_params.h"
+#include "io/own_ship_gate.h"
 
 namespace adit_tracker {
 
@@ -18,7 +19,8 @@ struct NodeParams {
   tws_runtime::RadarInputs::Options inputs;
   std::size_t overflow = 20;  // sectors behind the antenna
   std::string point_topic;
-  bool plot_fates = false;         // publish what becomes of each plot
+  bool plot_fates = false;  // publish what becomes of each plot
+  OwnShipParams own_ship;
   std::string clutter_map;         // file
   std::string clutter_map_folder;  // of what is saved and loaded by service
 };

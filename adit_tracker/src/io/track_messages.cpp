@@ -96,7 +96,16 @@ tws_msgs::PlotFates fatesMessage(const Adit& adit, const SectorFates& sector) {
   return message;
 }
 
-tws_msgs::Track trackMessage(const Adit& adit, const TrackUpdate& update, const Site& site) {
+Site originOf(const Adit& adit, const Site& site) {
+  const double c = std::cos(site.turn), s = std::sin(site.turn);
+  Site origin = site;
+  origin.x += c * adit.origin().x - s * adit.origin().y;
+  origin.y += s * adit.origin().x + c * adit.origin().y;
+  return origin;
+}
+
+tws_msgs::Track trackMessage(const Adit& adit, const TrackUpdate& update, const Site& first_site) {
+  const Site site = originOf(adit, first_site);
   const Track& track = adit.tracks().at(update.slot);
   const Extrapolation now = adit.tracks().extrapolate(update.slot, update.time);
   tws_msgs::Track message = tws_runtime::blankTrack(track.number, track.uid);
@@ -133,6 +142,8 @@ tws_msgs::ClutterMap clutterMessage(const Adit& adit) {
       p.last_update = tws_runtime::toTime(point.last_update);
       p.range = point.range;
       p.azimuth = point.azimuth;
+      if (const auto& pose = adit.radars().at(map).pose)
+        asMeasured(adit.origin(), {0.0, 0.0, *pose, *pose}, 0.0, p.range, p.azimuth);
       p.hits = static_cast<std::uint32_t>(point.hits);
       p.absorbing = adit.clutter().maps()[map].absorbing(point);
     }

@@ -11,6 +11,9 @@ namespace adit_tracker {
 
 using tws_runtime::Site;
 
+/// What positions of the tracker are counted from: the first radar's site, or where own ship is by now.
+Site originOf(const Adit& adit, const Site& site);
+
 /// What the tracker says of a track: range and azimuth as the radars see it, position and velocity in the frame of
 /// positions.
 tws_msgs::Track trackMessage(const Adit& adit, const TrackUpdate& update, const Site& site);

@@ -39,7 +39,7 @@ OperatorAnswer OperatorHandler::executeOne(Adit& adit, Message& message, const s
                                            const Site& site) const {
   OperatorAnswer answer;
   answer.refusal = refusal;
-  if (refusal.empty()) answer = adit_tracker::execute(adit, requestOf(message, site));
+  if (refusal.empty()) answer = adit_tracker::execute(adit, requestOf(message, originOf(adit, site)));
   log_.stamp(message, momentOf(adit));
   setEffect(message, adit, answer);
   return answer;
