@@ -16,6 +16,12 @@ bool hears(const NodeDescription& node, const std::string& topic) {
   return std::count(node.hears.begin(), node.hears.end(), topic) > 0;
 }
 
+/// Its radars are on a ship, of which /tf tells where it is.
+bool followsOwnShip(const NodeDescription& node) {
+  const YAML::Node frame = node.parameters["own_ship_frame"];
+  return frame && !frame.as<std::string>("").empty();
+}
+
 }  // namespace
 
 std::vector<std::string> GraphLists::topicsOfType(const std::string& type) const {
@@ -52,7 +58,10 @@ std::vector<std::string> GraphLists::waitedFor() const {
 
 std::vector<std::string> GraphLists::played() const {
   std::set<std::string> heard{"/tf_static"};
-  for (const NodeDescription& node : graph_.nodes) heard.insert(node.hears.begin(), node.hears.end());
+  for (const NodeDescription& node : graph_.nodes) {
+    heard.insert(node.hears.begin(), node.hears.end());
+    if (followsOwnShip(node)) heard.insert("/tf");
+  }
   heard.erase("/diagnostics");  // It is of the run that was recorded.
   std::set<std::string> topics;
   for (const std::string& topic : heard) {
@@ -74,7 +83,7 @@ std::vector<std::string> GraphLists::recorded() const {
     for (const NodeDescription& node : graph_.nodes)
       for (const auto& [topic, type] : node.says)
         if ((node.role == "source") == of_source) topics.push_back(whereItIs(topic));
-  topics.insert(topics.end(), {"/diagnostics", "/tf_static"});
+  topics.insert(topics.end(), {"/diagnostics", "/tf", "/tf_static"});
   return topics;
 }
 

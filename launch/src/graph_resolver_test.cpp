@@ -1,6 +1,7 @@
 #include "graph_resolver.h"
 
 #include <gtest/gtest.h>
+#include <tf2_msgs/TFMessage.h>
 #include <tws_msgs/OperatorRequest.h>
 #include <tws_msgs/RangeProfile.h>
 #include <tws_msgs/Tracks.h>
@@ -198,6 +199,22 @@ TEST(GraphResolver, PlaysOnlyWhatIsHeardAsItIsRecorded) {
   const std::vector<std::string>& arguments = graph.find("player")->arguments;
   const auto topics = std::find(arguments.begin(), arguments.end(), "--topics");
   EXPECT_EQ(Names(topics + 1, arguments.end()), (Names{"sps12/detections", "sps12/sector_marks"}));
+}
+
+// If this fails, a recording made on a ship is replayed without the ship's place, or a player waits for ever until
+// somebody hears it.
+TEST(GraphResolver, PlaysAndRecordsWhereOwnShipIsWhereATrackerFollowsIt) {
+  const TemporaryFolder folder;
+  BagUnderTest(folder.file("run.bag")).withRadar("", "sps12").with("/tf", tf2_msgs::TFMessage()).close();
+  std::ofstream(folder.file("ship.yaml")) << "own_ship_frame: ship\n";
+  const auto plays = [&](const RunOptions& chosen) {
+    const GraphDescription graph = graphOf(folder.file("run.bag"), chosen, true);
+    const std::vector<std::string>& played = graph.find("player")->arguments;
+    return std::count(played.begin(), played.end(), "/tf");
+  };
+  EXPECT_EQ(plays({}), 0);
+  EXPECT_EQ(plays(options({{"record", "r.bag"}})), 1) << "the recorder hears it";
+  EXPECT_EQ(plays(options({{"params", "adit=" + folder.file("ship.yaml")}})), 1);
 }
 
 TEST(GraphResolver, MovesTheGraphIntoTheNamespaceOfItsBag) {
