@@ -1,5 +1,5 @@
-// The tables that the tracker reads: plots; own ship's places; and clutter maps with what was learned of radars, which are
-// written, read again and loaded.
+// The tables that the tracker reads: plots; own ship's places; and clutter maps with what was learned of radars, which
+// are written, read again and loaded.
 #include <cmath>
 #include <sstream>
 
