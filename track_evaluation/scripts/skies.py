@@ -1,4 +1,4 @@
-"""Skies that are harder than the report's: worlds of the bench (hard.py, score.py) in the folder that TWS_SHARED names, flown with adit_csv."""
+"""Skies that are harder than the report's: worlds of the bench (hard.py, score.py) in the folder that TWS_SHARED names."""
 import csv
 import json
 import os
@@ -10,8 +10,8 @@ import sys
 WORLDS = [("60 aircraft, 20 false plots a scan", "plain"), ("100 false plots more in a patch", "plain --patch 100"),
           ("1000 false plots a scan", "plain --fa 1000"), ("detection 0.7, 100 false plots", "plain --pd .7 --fa 100"),
           ("40 that cross, detection 0.7, 100 false plots", "crossing -N 40 --pd .7 --fa 100"),
-          ("formations, 40, 100 false plots", "formation -N 40 --fa 100"), ("600-900 m/s", "fast"), ("changes of speed of 0.5-1 g", "accel"),
-          ("turns of 3-5 g", "g5"), ("30-60 m/s", "slow60"), ("boats, 5-20 m/s", "slow")]
+          ("formations, 40, 100 false plots", "formation -N 40 --fa 100"), ("600-900 m/s", "fast"),
+          ("changes of speed of 0.5-1 g", "accel"), ("turns of 3-5 g", "g5"), ("30-60 m/s", "slow60"), ("boats, 5-20 m/s", "slow")]
 RADARS = ["--radar", "0:6:0", "--radar", "1:8:90"]
 FIGURES = [("ospa_m", "OSPA", "m", 0), ("completeness", "completeness", "", 3), ("swaps", "changes of track", "", 1),
            ("spurious_tracks", "spurious tracks", "", 1)]
@@ -52,7 +52,8 @@ def flown(runs, kind, parameters, seed):
     runs.count_run()
     folder = world(runs, kind, seed)
     tracks = folder / "tracks.csv"
-    runs.tool("adit_tracker", "adit_csv", "--detections", folder / "det_rot.csv", "--tracks", tracks, *RADARS, "--epochs", 5, "--params", parameters)
+    files = ["--detections", folder / "det_rot.csv", "--tracks", tracks]
+    runs.tool("adit_tracker", "adit_csv", *files, *RADARS, "--epochs", 5, "--params", parameters)
     return json.loads(python(bench() / "score.py", folder / "truth.csv", picture(tracks), "--from", 60, "--to", 595, "--json"))
 
 
