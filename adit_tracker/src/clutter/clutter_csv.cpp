@@ -17,10 +17,11 @@ namespace adit_tracker {
 namespace {
 
 constexpr const char* kHeader = "radar,range_m,az_deg";
-constexpr const char* kAllRadars = "*";         // cannot be the name of one: names are parts of topics
-constexpr double kRangeSteps = 10.0;            // of the file, in a metre
-constexpr double kAzimuthSteps = 1e4;           // in a degree
-constexpr std::size_t kMostBytes = 16U << 20U;  // of a file: a hundred thousand points of each of three radars
+constexpr const char* kEnd = "# End of the map.";  // of a file with cells: one that is cut off has lost some
+constexpr const char* kAllRadars = "*";            // cannot be the name of one: names are parts of topics
+constexpr double kRangeSteps = 10.0;               // of the file, in a metre
+constexpr double kAzimuthSteps = 1e4;              // in a degree
+constexpr std::size_t kMostBytes = 16U << 20U;     // of a file: a hundred thousand points of each of three radars
 
 struct Columns {
   explicit Columns(const tws::CsvTable& table)
@@ -76,11 +77,16 @@ void writeClutter(std::ostream& output, const SavedMaps& maps) {
   output << kHeader << (maps.radars.empty() ? "" : kRadarCountsColumns) << '\n';
   for (const ClutterPlace& place : maps.clutter) writePlace(output, place);
   for (const RadarCounts& counts : maps.radars) writeRadarCounts(output, counts);
+  if (!maps.radars.empty()) output << kEnd << '\n';
 }
 
 SavedMaps loadClutterFile(const std::string& path, const ClutterLimits& limits) {
-  std::istringstream input(tws::readRegularFile(path, kMostBytes));
-  return readClutter(input, path, limits);
+  const std::string text = tws::readRegularFile(path, kMostBytes);
+  std::istringstream input(text);
+  SavedMaps maps = readClutter(input, path, limits);
+  if (!maps.radars.empty() && text.rfind(kEnd) == std::string::npos)
+    throw std::runtime_error(path + ": is cut off: its last line is not '" + kEnd + "'");
+  return maps;
 }
 
 void saveClutterFile(const std::string& path, const SavedMaps& maps) {

@@ -186,6 +186,21 @@ TEST_F(ClutterFile, IsReplacedAsAWholeAndNothingElseIsLeft) {
   EXPECT_EQ(std::distance(begin(files), end(files)), 1);
 }
 
+// If this fails, what a disk that was full has left of a map is taken for all of it.
+TEST_F(ClutterFile, ThatIsCutOffIsRefused) {
+  RadarCounts counts;
+  counts.radar = "sps12";
+  counts.false_plots.at(3, 4) = {0.5F, 1.0F};
+  saveClutterFile(path_, {{{"sps12", 1000.0, 1.0}}, {counts}});
+  EXPECT_EQ(loadClutterFile(path_, limits()).radars, std::vector<RadarCounts>{counts});
+  for (const unsigned lost : {2U, 19U}) {
+    saveClutterFile(path_, {{{"sps12", 1000.0, 1.0}}, {counts}});
+    std::filesystem::resize_file(path_, std::filesystem::file_size(path_) - lost);
+    EXPECT_EQ(complaint([&] { loadClutterFile(path_, limits()); }),
+              path_ + ": is cut off: its last line is not '# End of the map.'");
+  }
+}
+
 // If this fails, an operator believes that the map is safe.
 TEST_F(ClutterFile, ThatCannotBeWrittenOrReadIsNamed) {
   const std::string nowhere = folder_ / "absent" / "map.csv";
