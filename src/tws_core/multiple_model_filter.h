@@ -32,7 +32,7 @@ struct MultipleModelParams {
   // The same of what is much faster, in the model of any other motion; 0: nothing is. And the share of new targets
   // that may be so.
   double fast_speed_sigma = 500.0;
-  double fast_share = 0.02;
+  double fast_share = 0.03;
   // Where slant ranges are measured from [m]; empty: from the origin alone.
   struct Place {
     double x, y;

@@ -13,6 +13,6 @@ void FastShare::add(bool fast) {
   fast_ *= 0.5;
 }
 
-double FastShare::value() const { return std::min(fast_ / all_, 0.5); }
+double FastShare::value() const { return std::clamp(fast_ / all_, assumed_, 0.5); }
 
 }  // namespace adit_tracker
