@@ -68,10 +68,32 @@ void TrackPicture::draw(TrackLayers& layers, double time, const PpiStyle& style,
   std::vector<LivingTrack*> shown;
   for (auto& [key, track] : tracks_)
     if (!track.confirmed || covered.count(key.first) == 0) shown.push_back(&track);
+  findCrowds(shown, style);
   for (const LivingTrack* track : shown)
-    if (!track->report.symbol_only) drawTrail(layers.of(track->report), *track, time, style);
-  for (const LivingTrack* track : shown) drawSymbol(layers.of(track->report), track->report, style);
+    if (!track->report.symbol_only && !track->crowded) drawTrail(layers.of(track->report), *track, time, style);
+  for (const LivingTrack* track : shown) {
+    Drawing& drawing = layers.of(track->report);
+    if (track->crowded)
+      addDot(drawing, track->report.position, style.dot, colorOf(track->report, style));
+    else
+      drawSymbol(drawing, track->report, style);
+  }
   drawLabels(layers, shown, style);
+}
+
+void TrackPicture::findCrowds(const std::vector<LivingTrack*>& shown, const PpiStyle& style) {
+  constexpr double kCell = 4.0;  // [radii of a symbol]
+  constexpr int kMany = 5;       // of a cell
+  const auto cellOf = [&](const LivingTrack& track) {
+    const Eigen::Vector2d& place = track.report.position;
+    return std::make_pair(std::floor(place.x() / (kCell * style.symbol)),
+                          std::floor(place.y() / (kCell * style.symbol)));
+  };
+  std::map<std::pair<double, double>, int> tentative;
+  for (const LivingTrack* track : shown)
+    if (track->report.state == TrackState::kTentative) ++tentative[cellOf(*track)];
+  for (LivingTrack* track : shown)
+    track->crowded = track->report.state == TrackState::kTentative && tentative[cellOf(*track)] > kMany;
 }
 
 void TrackPicture::drawTrail(Drawing& drawing, const LivingTrack& track, double time, const PpiStyle& style) const {
@@ -94,7 +116,7 @@ void TrackPicture::drawLabels(TrackLayers& layers, const std::vector<LivingTrack
   std::vector<std::pair<LivingTrack*, std::string>> labelled;
   for (LivingTrack* track : shown) {
     std::string text = labelText(track->report);
-    if (text.empty()) continue;
+    if (text.empty() || track->crowded) continue;
     requests.push_back({track->report.position, textSize(text, style.small_text), 1.4 * style.symbol,
                         track->side.value_or(favouredSide(track->report))});
     labelled.emplace_back(track, std::move(text));

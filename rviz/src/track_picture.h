@@ -57,7 +57,8 @@ struct TrackLayers {
 
 /// All living tracks, of any number of trackers: symbol (a circle, with a dot in it when a secondary radar sees the
 /// aircraft too, a triangle when only that does; squares coast), speed leader, trail and label. A track shows where it
-/// was last reported; it is not moved on in between, so that it stays on its plots.
+/// was last reported; it is not moved on in between, so that it stays on its plots. Where tentative tracks crowd, in
+/// rain or over a town, each is a dot: their numbers and leaders would hide what is below.
 class TrackPicture {
  public:
   explicit TrackPicture(const TrackLook& look) : look_(look) {}
@@ -86,9 +87,11 @@ class TrackPicture {
     std::uint32_t label = 0;
     std::optional<int> side;  // of the label
     bool confirmed = false;   // it was firm or coasting at least once
+    bool crowded = false;     // tentative, among many others that are
   };
   void leaveTrail(LivingTrack& track, double time) const;
   void drawTrail(Drawing& drawing, const LivingTrack& track, double time, const PpiStyle& style) const;
+  static void findCrowds(const std::vector<LivingTrack*>& shown, const PpiStyle& style);
   void drawSymbol(Drawing& drawing, const TrackReport& report, const PpiStyle& style) const;
   static void drawLabels(TrackLayers& layers, const std::vector<LivingTrack*>& shown, const PpiStyle& style);
 

@@ -225,6 +225,19 @@ TEST(TrackPicture, TheTrailShowsWhereTheTrackWas) {
   EXPECT_NEAR(west, 2000.0 * 19 - 0.5 * kStyle.dot, 1e-6);
 }
 
+// If this fails, a shower is a blob of numbers and lines that hides the aircraft within it.
+TEST(TrackPicture, TentativeTracksThatCrowdAreDots) {
+  TrackPicture tracks(kLook);
+  for (std::uint32_t uid = 0; uid < 5; ++uid) tracks.add(report(uid, TrackState::kTentative, 100.0, 100.0 * uid));
+  EXPECT_EQ(drawn(tracks, 100.0).labels.size(), 5U);
+  for (std::uint32_t uid = 5; uid < 20; ++uid) tracks.add(report(uid, TrackState::kTentative, 100.0, 100.0 * uid));
+  tracks.add(report(20, TrackState::kFirm, 100.0, 500.0));
+  const Drawing drawing = drawn(tracks, 100.0);
+  ASSERT_EQ(drawing.labels.size(), 1U);
+  EXPECT_EQ(drawing.labels[0].text.substr(0, 2), "20");
+  EXPECT_NEAR(eastEnd(drawing), 500.0 + 60.0 * 200.0, 1e-6);  // The firm one's leader alone.
+}
+
 // Over a long run each track's memory is bounded: 12 dots, whatever the rate of updates.
 TEST(TrackPicture, TheTrailHasAtMostADozenDots) {
   TrackPicture tracks(kLook);
