@@ -61,23 +61,37 @@ void moveCovariance(PlanarMotion& s, const Turn& t, double dt, double q) {
   s.velocity = {c * cv_xx - d * cv_xy + q * dt, d * cv_xx + c * cv_xy, d * cv_yx + c * cv_yy + q * dt};
 }
 
+/// m ← m + a b' + b a'
+void addProducts(Symmetric2& m, double ax, double ay, double bx, double by) {
+  m.xx += 2.0 * ax * bx;
+  m.xy += ax * by + bx * ay;
+  m.yy += 2.0 * ay * by;
+}
+
+/// Of h = F c + g σ² / 2 (see addRate), the position's part.
+struct HalfWay {
+  double x, y;
+};
+
+HalfWay halfWay(const TurningMotion& s, const Turn& t, const RateEffect& g) {
+  const double half = 0.5 * s.rate_variance;
+  return {s.x_rate + t.a * s.vx_rate - t.b * s.vy_rate + half * g.x,
+          s.y_rate + t.b * s.vx_rate + t.a * s.vy_rate + half * g.y};
+}
+
 /// What the rate's error adds: h g' + g h', with g the rate's effect and h = F c + g σ² / 2; c, the covariances with
 /// the rate, becomes F c + g σ².
 void addRate(TurningMotion& s, const Turn& t, const RateEffect& g) {
   const double half = 0.5 * s.rate_variance;
-  const double fx = s.x_rate + t.a * s.vx_rate - t.b * s.vy_rate, fy = s.y_rate + t.b * s.vx_rate + t.a * s.vy_rate;
+  const HalfWay place = halfWay(s, t, g);
   const double fvx = t.c * s.vx_rate - t.d * s.vy_rate, fvy = t.d * s.vx_rate + t.c * s.vy_rate;
-  const RateEffect h{fx + half * g.x, fy + half * g.y, fvx + half * g.vx, fvy + half * g.vy};
-  s.position.xx += 2.0 * h.x * g.x;
-  s.position.xy += h.x * g.y + g.x * h.y;
-  s.position.yy += 2.0 * h.y * g.y;
+  const RateEffect h{place.x, place.y, fvx + half * g.vx, fvy + half * g.vy};
+  addProducts(s.position, h.x, h.y, g.x, g.y);
   s.x_vx += h.x * g.vx + g.x * h.vx;
   s.x_vy += h.x * g.vy + g.x * h.vy;
   s.y_vx += h.y * g.vx + g.y * h.vx;
   s.y_vy += h.y * g.vy + g.y * h.vy;
-  s.velocity.xx += 2.0 * h.vx * g.vx;
-  s.velocity.xy += h.vx * g.vy + g.vx * h.vy;
-  s.velocity.yy += 2.0 * h.vy * g.vy;
+  addProducts(s.velocity, h.vx, h.vy, g.vx, g.vy);
   s.x_rate = h.x + half * g.x;
   s.y_rate = h.y + half * g.y;
   s.vx_rate = h.vx + half * g.vx;
@@ -102,12 +116,8 @@ PlanarPosition advancedPosition(const TurningMotion& s, double dt, double densit
   PlanarPosition moved{s.x + t.a * s.vx - t.b * s.vy, s.y + t.b * s.vx + t.a * s.vy, movedPosition(s, t, dt, density)};
   if (s.rate_variance == 0.0) return moved;
   const RateEffect g = effectOfRate(s, t, dt);
-  const double half = 0.5 * s.rate_variance;
-  const double hx = s.x_rate + t.a * s.vx_rate - t.b * s.vy_rate + half * g.x;
-  const double hy = s.y_rate + t.b * s.vx_rate + t.a * s.vy_rate + half * g.y;
-  moved.covariance.xx += 2.0 * hx * g.x;
-  moved.covariance.xy += hx * g.y + g.x * hy;
-  moved.covariance.yy += 2.0 * hy * g.y;
+  const HalfWay h = halfWay(s, t, g);
+  addProducts(moved.covariance, h.x, h.y, g.x, g.y);
   return moved;
 }
 
