@@ -215,13 +215,14 @@ function(tws_fuzzer name)
   set_tests_properties(${test} PROPERTIES SKIP_RETURN_CODE 77 TIMEOUT 7200 COST 20 ENVIRONMENT "${environment}")
 endfunction()
 
-# tws_rostest(LAUNCH_FILE [NAME SOURCE...] [NODES NODE...] [LINK LIBRARY...])
-# A test among live nodes; its GoogleTests, if it has any, are SOURCE... and make the program NAME.
+# tws_rostest(LAUNCH_FILE [NAME SOURCE...] [NODES NODE...] [LINK LIBRARY...] [ALONE])
+# A test among live nodes; its GoogleTests, if it has any, are SOURCE... and make the program NAME. ALONE: it keeps the machine busy, and others
+# beside it from their time.
 function(tws_rostest launch_file)
   if(NOT CATKIN_ENABLE_TESTING)
     return()
   endif()
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "NODES;LINK")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "ALONE" "" "NODES;LINK")
   find_package(rostest REQUIRED)
   set(nodes "")
   foreach(node ${arg_NODES})
@@ -238,15 +239,15 @@ function(tws_rostest launch_file)
   else()
     add_rostest(${launch_file} DEPENDENCIES ${nodes})
   endif()
-  _tws_live_test(${launch_file})
+  _tws_live_test(${launch_file} ${arg_ALONE})
 endfunction()
 
 # A live test has a master of its own, and a processor: as many run at a time as there are. ctest starts first what may take longest.
-function(_tws_live_test launch_file)
+function(_tws_live_test launch_file alone)
   string(REPLACE "/" "_" name ${launch_file})
   file(STRINGS ${PROJECT_SOURCE_DIR}/${launch_file} limit REGEX "time-limit=" LIMIT_COUNT 1)
   string(REGEX REPLACE ".*time-limit=\"([0-9]+).*" "\\1" seconds "${limit}")
-  set_tests_properties(_ctest_${PROJECT_NAME}_rostest_${name} PROPERTIES COST "${seconds}")
+  set_tests_properties(_ctest_${PROJECT_NAME}_rostest_${name} PROPERTIES COST "${seconds}" RUN_SERIAL ${alone})
 endfunction()
 
 # tws_benchmark(SOURCE... [LINK LIBRARY...])
