@@ -3,7 +3,6 @@ import csv
 import json
 import os
 import pathlib
-import subprocess
 import sys
 
 # What it is, and what hard.py makes it of.
@@ -24,18 +23,11 @@ def bench():
     return folder if (folder / "hard.py").exists() else None
 
 
-def python(program, *arguments):
-    done = subprocess.run([sys.executable, str(program), *map(str, arguments)], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-    if done.returncode != 0:
-        raise RuntimeError(f"{program.name} failed: {done.stderr.strip().splitlines()[-1]}")
-    return done.stdout
-
-
 def world(runs, kind, seed):
     folder = runs.folder / f"sky_{kind.replace(' ', '_')}_{seed}"
     if not folder.exists():
         name, *options = kind.split()
-        python(bench() / "hard.py", name, folder, "--seed", FIRST_SEED + seed, *options)
+        runs.output("hard.py", sys.executable, bench() / "hard.py", name, folder, "--seed", FIRST_SEED + seed, *options)
     return folder
 
 
@@ -54,7 +46,8 @@ def flown(runs, kind, parameters, seed):
     tracks = folder / "tracks.csv"
     files = ["--detections", folder / "det_rot.csv", "--tracks", tracks]
     runs.tool("adit_tracker", "adit_csv", *files, *RADARS, "--epochs", 5, "--params", parameters)
-    return json.loads(python(bench() / "score.py", folder / "truth.csv", picture(tracks), "--from", 60, "--to", 595, "--json"))
+    files = folder / "truth.csv", picture(tracks)
+    return json.loads(runs.output("score.py", sys.executable, bench() / "score.py", *files, "--from", 60, "--to", 595, "--json"))
 
 
 def rows(runs, seeds, Sample, verdict):
