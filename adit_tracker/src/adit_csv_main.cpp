@@ -62,8 +62,8 @@ std::vector<RadarSpec> radarsOf(const Options& options, PlotTable& table) {
 AditParams baseParams(const Options& options) {
   const bool named = isNamedSet(options.params);
   if (!named && !std::filesystem::exists(options.params)) {
-    throw std::runtime_error("--params " + options.params +
-                             ": no file of that name, nor a set (airport, default, marine, nrl7952)");
+    throw std::runtime_error("--params " + options.params + ": no file of that name, nor a set (" +
+                             AditParams::setNames() + ")");
   }
   AditParams params = loadAditParams(options.params);
   if (named) params.capacity = 100000;
@@ -202,7 +202,7 @@ class Run {
 
   bool hasFirmTracks() const { return adit_.counts().tracks_firm > 0; }
   std::uint64_t absorbed() const { return adit_.clutter().absorbed(); }
-  SavedMaps maps() const { return {adit_.clutter().places(), adit_.radars().counts()}; }
+  SavedMaps maps() const { return adit_.maps(); }
 
   void summary(const PlotTable& table) const {
     const AditCounts& n = adit_.counts();
@@ -224,10 +224,8 @@ class Run {
  private:
   void take(std::size_t radar) {
     if (input_.moving.empty()) return addAndProcess(adit_, radar, input_.feeds[radar]->take());
-    for (MovingFeed::Sector& next : input_.moving[radar].take()) {
-      adit_.add(radar, std::move(next.sector), next.ship);
-      while (adit_.step()) continue;
-    }
+    for (MovingFeed::Sector& next : input_.moving[radar].take())
+      addAndProcess(adit_, radar, std::move(next.sector), next.ship);
   }
 
   void sumUpOwnShip() const {
@@ -331,7 +329,7 @@ std::optional<int> parse(Options& options, int argc, char** argv) {
   app.add_option("--tracks", options.tracks, "CSV file to be written")->required();
   app.add_option("--radar", radars,
                  "ID[:PERIOD_S[:PHASE_DEG]], for each radar; what is left out is found from the plots");
-  app.add_option("--params", options.params, "parameter set (airport, default, marine, nrl7952) or YAML file");
+  app.add_option("--params", options.params, "parameter set (" + AditParams::setNames() + ") or YAML file");
   app.add_option("--capacity", options.capacity, "track numbers; 100000 unless said here or in a parameter file")
       ->check(CLI::Range(2U, 1000001U));
   app.add_option("--epochs", options.epochs, "write the picture at each multiple of so many seconds")

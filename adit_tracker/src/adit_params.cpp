@@ -139,19 +139,22 @@ const std::vector<std::string>& AditParams::sets() {
   return sets;
 }
 
+std::string AditParams::setNames() {
+  std::string names;
+  for (const std::string& set : sets()) names += (names.empty() ? "" : ", ") + set;
+  return names;
+}
+
 AditParams AditParams::named(const std::string& name) {
+  if (std::count(sets().begin(), sets().end(), name) == 0)
+    throw std::invalid_argument("parameter set: there is no set named " + name + " (" + setNames() + ")");
   AditParams p;
   p.track_gates = reportGates();
   p.clutter.gate.range = feet(2000.0);
   p.clutter.gate.azimuth = tws::radians(1.4);
-  if (name == "default") return p;
-  if (name == "marine" || name == "airport") {
-    name == "marine" ? makeMarine(p) : makeAirport(p);
-    return p;
-  }
-  if (name != "nrl7952")
-    throw std::invalid_argument("parameter set: there is no set named " + name +
-                                " (airport, default, marine, nrl7952)");
+  if (name == "marine") makeMarine(p);
+  if (name == "airport") makeAirport(p);
+  if (name != "nrl7952") return p;
   p.capacity = 256;
   p.filter = FilterKind::kAlphaBeta;
   p.learn_noise = false;

@@ -187,6 +187,8 @@ struct AditParams : LocalParams {
 
   /// The names that named() knows.
   static const std::vector<std::string>& sets();
+  /// The same as a list in words.
+  static std::string setNames();
   /// The named set without radars: "default"; "airport"; "marine" for boats and ships; or "nrl7952", the report's
   /// letter. Throws std::invalid_argument.
   static AditParams named(const std::string& name);

@@ -12,6 +12,8 @@
 #include <tws_core/temporary_folder_test_helpers.h>
 #include <tws_core/units.h>
 
+#include "clutter/damage_test_helpers.h"
+
 namespace adit_tracker {
 namespace {
 
@@ -142,15 +144,7 @@ TEST(ClutterCsv, ADamagedFileIsReadOrRefusedInWords) {
   auto generator = tws::seededGenerator();
   int refused = 0;
   for (int i = 0; i < 3000; ++i) {
-    std::string text = written(randomPlaces(generator));
-    for (int damage = tws::uniformInt(generator, 1, 3); damage > 0; --damage) {
-      const auto where = static_cast<std::size_t>(tws::uniformInt(generator, 0, static_cast<int>(text.size()) - 1));
-      if (tws::uniformInt(generator, 0, 1) == 0)
-        text.erase(where, static_cast<std::size_t>(tws::uniformInt(generator, 1, 5)));
-      else
-        text[where] = static_cast<char>(tws::uniformInt(generator, 0, 255));
-      if (text.empty()) text = "\n";
-    }
+    const std::string text = damaged(written(randomPlaces(generator)), generator);
     try {
       for (const ClutterPlace& place : read(text))
         EXPECT_TRUE(place.range > 0.0 && place.range <= 1e7 && place.azimuth >= 0.0 && place.azimuth < tws::kTwoPi);

@@ -49,7 +49,7 @@ bool ClutterInterface::save(const tws_msgs::SaveClutterMap::Request& request,
   try {
     const Adit* const adit = adit_();
     if (adit == nullptr) throw std::runtime_error("no sector has been processed yet");
-    const SavedMaps maps{adit->clutter().places(), adit->radars().counts()};
+    const SavedMaps maps = adit->maps();
     folder_.save(request.path, maps);
     response.count = static_cast<std::uint32_t>(maps.clutter.size());
     response.message = inWords(maps, maps.clutter.size()) + " saved to " + folder_.pathOf(request.path);

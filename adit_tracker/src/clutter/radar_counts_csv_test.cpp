@@ -9,6 +9,8 @@
 
 #include "clutter/clutter_csv.h"
 
+#include "clutter/damage_test_helpers.h"
+
 namespace adit_tracker {
 namespace {
 
@@ -144,14 +146,7 @@ TEST(RadarCountsCsv, ADamagedFileIsReadOrRefusedInWords) {
   whole.resize(whole.find('\n', 3000) + 1);
   int refused = 0;
   for (int i = 0; i < 2000; ++i) {
-    std::string text = whole;
-    for (int damage = tws::uniformInt(generator, 1, 3); damage > 0; --damage) {
-      const auto where = static_cast<std::size_t>(tws::uniformInt(generator, 0, static_cast<int>(text.size()) - 1));
-      if (tws::uniformInt(generator, 0, 1) == 0)
-        text.erase(where, static_cast<std::size_t>(tws::uniformInt(generator, 1, 5)));
-      else
-        text[where] = static_cast<char>(tws::uniformInt(generator, 0, 255));
-    }
+    const std::string text = damaged(whole, generator);
     try {
       for (const RadarCounts& counts : read(text).radars) EXPECT_EQ(problemOf(counts), "");
     } catch (const std::runtime_error& error) {

@@ -70,28 +70,19 @@ bool Adit::addIff(std::size_t iff, tws::RadarSector sector, const tws::SiteFrame
   return iff_.add(iff, std::move(sector), site);
 }
 
-void Adit::add(std::size_t radar, tws::RadarSector sector) {
-  addToOrder(radar, sector);
-  intake_.add(radar, std::move(sector));
-}
-
-void Adit::add(std::size_t radar, tws::RadarSector sector, const Passage& ship) {
-  if (!joinsSites(params_) || radars_.severalSites()) {
+void Adit::add(std::size_t radar, tws::RadarSector sector, const std::optional<Passage>& ship) {
+  if (ship && (!joinsSites(params_) || radars_.severalSites())) {
     throw std::invalid_argument("radar " + params_.radars[radar].name +
                                 ": own ship that moves needs the turning filter and a clutter map for each radar, and "
                                 "all radars on it");
   }
-  addToOrder(radar, sector);
-  intake_.add(radar, std::move(sector), ship);
-}
-
-void Adit::addToOrder(std::size_t radar, const tws::RadarSector& sector) {
   const std::int64_t newest = order_.newest(radar);
   if (sector.running <= newest) {
     throw std::invalid_argument("radar " + params_.radars[radar].name + ": sector " + std::to_string(sector.running) +
                                 " comes after sector " + std::to_string(newest));
   }
   if (!order_.add({radar, sector.running}, sector.enter_time, sector.leave_time)) ++counts_.late_sectors;
+  intake_.add(radar, std::move(sector), ship);
 }
 
 bool Adit::step() {

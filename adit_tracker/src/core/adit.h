@@ -51,11 +51,11 @@ class Adit {
 
   /// Takes in a closed sector of a radar (index in params.radars), see SectorIntake. Within a radar, sectors come in
   /// order: one that does not is refused by std::invalid_argument.
-  void add(std::size_t radar, tws::RadarSector sector);
-  /// The same of a radar on own ship, which moves as `ship` says: all radars are on it then. The plots are as measured;
-  /// the sectors count from where azimuth 0 of the fixed frame is (see NorthSectors). Throws std::invalid_argument when
-  /// the parameters cannot follow it (see joinsSites), or radars stand elsewhere.
-  void add(std::size_t radar, tws::RadarSector sector, const Passage& ship);
+  ///
+  /// `ship`: of a radar on own ship, which moves so: all radars are on it then. The plots are as measured; the sectors
+  /// count from where azimuth 0 of the fixed frame is (see NorthSectors). Throws std::invalid_argument when the
+  /// parameters cannot follow it (see joinsSites), or radars stand elsewhere.
+  void add(std::size_t radar, tws::RadarSector sector, const std::optional<Passage>& ship = std::nullopt);
   /// Processes a sector that is ready. False: none is.
   bool step();
   /// Overflow: passes over all sectors that are ready. Their detections are ignored; the tracks there are not updated,
@@ -74,6 +74,8 @@ class Adit {
   const TrackBook& tracks() const { return tracks_; }
   const ClutterMaps& clutter() const { return clutter_; }
   const Radars& radars() const { return radars_; }
+  /// What was learned of the radars' surroundings: what ManualControl::load takes.
+  SavedMaps maps() const { return {clutter_.places(), radars_.counts()}; }
   /// What all positions are counted from, in the fixed frame: (0, 0) but for radars on own ship.
   const PlaneOrigin& origin() const { return radars_.origin(); }
   const tws::SectorOrder& order() const { return order_; }
@@ -88,7 +90,6 @@ class Adit {
   void pass(const tws::SectorRef& sector, bool map_clutter);
   void end();
   void follow(const tws::SectorRef& sector, const Passage& ship);
-  void addToOrder(std::size_t radar, const tws::RadarSector& sector);
   void joinSite(std::size_t radar);
   void mapClutter(const tws::SectorRef& sector);
   void correlate(const tws::SectorRef& sector);
@@ -132,8 +133,9 @@ class Adit {
 };
 
 /// Takes a sector in and processes what has become ready, for a caller that may be away for long.
-inline void addAndProcess(Adit& adit, std::size_t radar, tws::RadarSector sector) {
-  adit.add(radar, std::move(sector));
+inline void addAndProcess(Adit& adit, std::size_t radar, tws::RadarSector sector,
+                          const std::optional<Passage>& ship = std::nullopt) {
+  adit.add(radar, std::move(sector), ship);
   while (adit.step()) continue;
 }
 

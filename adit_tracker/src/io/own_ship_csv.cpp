@@ -5,7 +5,8 @@
 #include <stdexcept>
 
 #include <tws_core/csv_table.h>
-#include <tws_core/units.h>
+
+#include "io/csv_angle.h"
 
 namespace adit_tracker {
 namespace {
@@ -43,23 +44,21 @@ class Reader {
   void take() {
     const double time = day_.continued(csv_.recordedTime(time_));
     Pose pose = geodetic_ ? fromGeodetic() : Pose{csv_.number(first_), csv_.number(second_), 0.0};
-    if (table_.has_headings) pose.heading = tws::radians(angle(heading_, "heading_deg", -360.0, 720.0));
+    if (table_.has_headings) pose.heading = angle(heading_, "heading_deg", -360.0, 720.0);
     const std::string problem = table_.ship.add(time, pose);
     if (!problem.empty()) csv_.fail("own ship's place " + problem);
   }
 
   double angle(std::size_t column, const char* name, double least, double greatest) const {
-    const double degrees = csv_.number(column);
-    if (degrees < least || degrees > greatest) csv_.fail(std::string(name) + " is out of range: " + csv_.text(column));
-    return degrees;
+    return angleOf(csv_, column, name, csv_.number(column), least, greatest);
   }
 
   Pose fromGeodetic() {
     tws::Geodetic place;
-    place.latitude = tws::radians(angle(first_, "lat_deg", -kFarthestNorth, kFarthestNorth));
-    place.longitude = tws::radians(angle(second_, "lon_deg", -180.0, 360.0));
-    if (!table_.origin) table_.origin = place;
-    const Eigen::Vector3d enu = tws::LocalFrame(*table_.origin).toEnu(place);
+    place.latitude = angle(first_, "lat_deg", -kFarthestNorth, kFarthestNorth);
+    place.longitude = angle(second_, "lon_deg", -180.0, 360.0);
+    if (!frame_) frame_.emplace(table_.origin.emplace(place));
+    const Eigen::Vector3d enu = frame_->toEnu(place);
     return {enu.x(), enu.y(), 0.0};
   }
 
@@ -67,6 +66,7 @@ class Reader {
   tws::CsvTable csv_;
   std::size_t time_ = 0, first_ = 0, second_ = 0, heading_ = 0;
   bool geodetic_ = false;
+  std::optional<tws::LocalFrame> frame_;  // of latitudes and longitudes
   tws::DayCount day_;
   OwnShipTable table_;
 };

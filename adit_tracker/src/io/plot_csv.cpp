@@ -9,6 +9,8 @@
 #include <tws_core/csv_table.h>
 #include <tws_core/units.h>
 
+#include "io/csv_angle.h"
+
 namespace adit_tracker {
 namespace {
 
@@ -31,9 +33,7 @@ struct Columns {
 
 /// NaN when it is not there. Throws the reason.
 double angleBetween(const tws::CsvTable& table, std::size_t column, const char* name, double least, double greatest) {
-  const double degrees = table.numberOrUnknown(column);
-  if (degrees < least || degrees > greatest) table.fail(std::string(name) + " is out of range: " + table.text(column));
-  return tws::radians(degrees);
+  return angleOf(table, column, name, table.numberOrUnknown(column), least, greatest);
 }
 
 tws::Plot plotOf(const tws::CsvTable& table, const Columns& columns) {
