@@ -45,14 +45,16 @@ std::vector<std::string> GraphLists::namesOfType(const std::string& type) const 
   return names;
 }
 
-std::vector<std::string> GraphLists::waitedFor() const {
+std::vector<std::string> GraphLists::waitedFor(const std::string& but_of) const {
+  std::set<std::string> said;  // each topic once, by however many nodes
+  for (const NodeDescription& node : graph_.nodes)
+    for (const auto& [topic, type] : node.says)
+      // A tracker requests elevations of some radars only; their closed loop waits for itself.
+      if (node.role != but_of && bare(type) != "ElevationRequests") said.insert(topic);
   std::vector<std::string> topics;
-  for (const NodeDescription& source : graph_.nodes) {
-    if (source.role != "source") continue;
-    for (const auto& [topic, type] : source.says)
-      for (const NodeDescription& node : graph_.nodes)
-        if (hears(node, topic)) topics.push_back(topic);
-  }
+  for (const std::string& topic : said)
+    for (const NodeDescription& node : graph_.nodes)
+      if (hears(node, topic) || hears(node, whereItIs(topic))) topics.push_back(whereItIs(topic));
   return topics;
 }
 

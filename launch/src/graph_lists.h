@@ -22,8 +22,9 @@ class GraphLists {
   std::vector<std::string> topicsOfType(const std::string& type) const;
   /// NAME of each topic NAME/tracks of that type.
   std::vector<std::string> namesOfType(const std::string& type) const;
-  /// Each of the source's topics as often as there are nodes that hear it.
-  std::vector<std::string> waitedFor() const;
+  /// Each topic that is said here as often as there are nodes that hear it: what is said before they are connected is
+  /// lost to them. Without the topics of one role's nodes ("": of no role).
+  std::vector<std::string> waitedFor(const std::string& but_of = "") const;
   /// A player waits until all that it plays is heard: so it plays nothing that nobody hears. As the bag has the names.
   std::vector<std::string> played() const;
   /// Outputs first, so that nothing of them is missed.

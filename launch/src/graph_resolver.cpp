@@ -167,6 +167,7 @@ class Resolver {
     if (word == "trackers") return listOf(lists.namesOfType("tws_msgs/Tracks"));
     if (word == "correlators") return listOf(lists.namesOfType("tws_msgs/CorrelatedTracks"));
     if (word == "wait_for") return listOf(lists.waitedFor());
+    if (word == "wait_for.trackers") return listOf(lists.waitedFor("source"));
     if (word == "played") return listOf(lists.played());
     if (word == "recorded") return listOf(lists.recorded());
     if (word.rfind("topics.", 0) == 0) return listOf(lists.topicsOfType(rest));

@@ -174,17 +174,45 @@ TEST(GraphResolver, KnowsTheWindowTrackerOfAnOldBagByItsTracks) {
   EXPECT_EQ(text(graphOf(folder.file("old.bag")), "window_tracker", "radar"), "\"sps39\"");
 }
 
+/// For how many subscribers of the topic a source waits.
+long awaited(const GraphDescription& graph, const std::string& source, const std::string& topic) {
+  const auto list = graph.find(source)->parameters["live"]["wait_for"].as<Names>();
+  return std::count(list.begin(), list.end(), topic);
+}
+
 // If the count is wrong, a run starts before all have connected, and its first scan is lost, or it waits in vain.
 TEST(GraphResolver, WaitsForEveryNodeThatHearsTheSource) {
   const auto count = [](const GraphDescription& graph, const std::string& topic) {
-    const auto list = graph.find("radar_sim")->parameters["live"]["wait_for"].as<Names>();
-    return std::count(list.begin(), list.end(), topic);
+    return awaited(graph, "radar_sim", topic);
   };
   const std::string one = kScenarios + "one_aircraft.yaml";
   EXPECT_EQ(count(graphOf(one, {}, true), "/sps12/detections"), 3);  // ADIT, progress, evaluation
   EXPECT_EQ(count(graphOf(one, options({{"record", "r.bag"}, {"rviz", "true"}}), true), "/sps12/detections"), 5);
   EXPECT_EQ(count(graphOf(one, options({{"record", "r.bag"}}), true), "/truth"), 2);
   EXPECT_EQ(count(graphOf(kScenarios + "full.yaml", {}, true), "/sps12/detections"), 4);  // the window tracker, too
+}
+
+// If this fails, the recording lacks the trackers' first words where the recorder is connected to them late.
+TEST(GraphResolver, WaitsForEveryNodeThatHearsATracker) {
+  const std::string full = kScenarios + "full.yaml";
+  const auto count = [](const GraphDescription& graph, const std::string& topic) {
+    return awaited(graph, "radar_sim", topic);
+  };
+  EXPECT_EQ(count(graphOf(full, {}, true), "/tws/tracks"), 2);  // progress, evaluation
+  const GraphDescription recorded = graphOf(full, options({{"record", "r.bag"}}), true);
+  EXPECT_EQ(count(recorded, "/tws/tracks"), 3);
+  EXPECT_EQ(count(recorded, "/adit/tracks"), 4);               // the correlator, too
+  EXPECT_EQ(count(recorded, "/diagnostics"), 0);               // of each node's own
+  EXPECT_EQ(count(recorded, "/sps39/elevation_requests"), 0);  // perhaps nobody's
+}
+
+TEST(GraphResolver, APlayerIsHeldBackForTheTrackersListenersAlone) {
+  const TemporaryFolder folder;
+  BagUnderTest(folder.file("run.bag")).withRadar("/ship1/", "sps12").close();
+  const GraphDescription graph = graphOf(folder.file("run.bag"), options({{"record", "r.bag"}}), true);
+  EXPECT_EQ(awaited(graph, "player", "/ship1/adit/tracks"), 3);  // progress, evaluation, recorder
+  EXPECT_EQ(awaited(graph, "player", "/ship1/sps12/detections"), 0);
+  EXPECT_NE(graph.find("player")->prefix.find("wait_for_subscribers"), std::string::npos);
 }
 
 TEST(GraphResolver, PlaysOnlyWhatIsHeardAsItIsRecorded) {

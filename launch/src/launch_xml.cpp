@@ -84,8 +84,6 @@ void writeNodelet(std::ostream& out, const NodeDescription& node) {
   out << "    <node pkg=\"nodelet\" type=\"nodelet\"" << attribute("name", node.name) << " output=\"screen\""
       << attribute("args", "load " + node.package + "/" + node.type + "let " + kManager) << ">\n";
   if (endsTheRun(node)) out << "      <param name=\"live/required\" value=\"true\"/>\n";
-  // Within a manager all hear each other at once, before the recorder is connected to any of them.
-  if (node.role == "source") out << "      <param name=\"live/settle\" value=\"2.0\"/>\n";
 }
 
 void writeNode(std::ostream& out, const GraphDescription& graph, const NodeDescription& node) {

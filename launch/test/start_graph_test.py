@@ -164,10 +164,32 @@ class StartGraph(unittest.TestCase):
         with rosbag.Bag(f"{quoted}/third.bag") as recorded:
             self.assertGreater(recorded.get_message_count("/adit/tracks"), 100)
 
+    # If this fails, a recorder or correlator that is slow to connect misses a tracker's first words, and a busy machine's recording is
+    # not what an offline run gives.
+    def test_a_run_and_a_replay_wait_for_who_hears_the_trackers(self):
+        run, graph = self.folder / "run.bag", self.folder / "late.yaml"
+        for source, late in (("one_aircraft", self.folder / "late.bag"), (run, self.folder / "late_again.bag")):
+            graph.write_text(f"""nodes:
+              - name: late_listener
+                program: rosbag/record
+                role: watcher
+                hears: [adit/tracks]
+                args: --output-name={late} adit/tracks
+                prefix: bash -c 'sleep 6 && exec "$0" "$@"'
+            """)
+            said = self.ended_well("rosrun", "tws_launch", "start_graph", source, "duration:=10", f"graph:={graph}",
+                                   *([] if source == run else [f"record:={run}"]))
+            self.assertNotIn("too few subscribers", said)
+            with rosbag.Bag(str(late)) as recorded:
+                sequences = [message.sequence for _, message, _ in recorded.read_messages()]
+            self.assertEqual(sequences, list(range(len(sequences))))
+            self.assertGreater(len(sequences), 60)
+
     def ended_well(self, *words):
         done = subprocess.run([*map(str, words), "rate:=10", "rviz:=false"], stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
                               env=self.environment, text=True, timeout=120, check=False)
         self.assertEqual(done.returncode, 0, done.stdout)
+        return done.stdout
 
     # If this fails, a run goes on unrecorded when the disk is full.
     def test_a_disk_that_fills_up_ends_the_run_and_its_bag_can_be_read(self):

@@ -34,7 +34,6 @@ class RosChannel : public Channel {
   void publish(const boost::shared_ptr<const void>& message) override {
     publisher_.publish(boost::make_shared<AnyMessage>(AnyMessage{&type_, message}));
   }
-  std::uint32_t subscribers() const { return publisher_.getNumSubscribers(); }
 
  private:
   ros::Publisher publisher_;
@@ -259,13 +258,7 @@ void RosBus::everyWall(double period_s, std::function<void()> handler) {
   impl_->wall_timers.push_back(impl_->handle.createWallTimer(ros::WallDuration(period_s), call));
 }
 
-std::uint32_t RosBus::subscribers(const std::string& topic) const {
-  const auto found = impl_->channels.find(impl_->resolve(topic));
-  if (found == impl_->channels.end()) return 0;
-  // roscpp counts all subscribers of this process as one.
-  const std::uint32_t here = ProcessSubscription::count(found->first);
-  return found->second->subscribers() + (here > 0 ? here - 1 : 0);
-}
+std::string RosBus::resolved(const std::string& topic) const { return impl_->resolve(topic); }
 
 void RosBus::spinFor(double wall_s) {
   const ros::WallTime end = ros::WallTime::now() + ros::WallDuration(wall_s);

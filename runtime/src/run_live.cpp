@@ -1,4 +1,3 @@
-#include <ros/console.h>
 #include <rosgraph_msgs/Clock.h>
 #include <tws_runtime/conversions.h>
 #include <tws_runtime/parameters.h>
@@ -6,8 +5,9 @@
 #include <tws_runtime/run.h>
 
 #include <algorithm>
-#include <map>
 #include <optional>
+
+#include "subscriber_wait.h"
 
 namespace tws_runtime {
 namespace {
@@ -15,28 +15,6 @@ namespace {
 constexpr double kClockPeriod = 0.02;  // [s of wall time]: /clock goes out at least 50 times a second.
 
 constexpr double kMostMadeUp = 0.1;  // [s of wall time]
-
-/// The topics of `wanted` that have not got their subscribers yet, as text; empty: none.
-std::string missingSubscribers(const RosBus& bus, const std::vector<std::string>& wanted) {
-  std::map<std::string, std::uint32_t> least;
-  for (const std::string& topic : wanted) ++least[topic];
-  std::string missing;
-  for (const auto& [topic, count] : least)
-    if (bus.subscribers(topic) < count) missing += (missing.empty() ? "" : ", ") + topic;
-  return missing;
-}
-
-void waitForSubscribers(RosBus& bus, const LiveOptions& options) {
-  const ros::WallTime end = ros::WallTime::now() + ros::WallDuration(options.wait_timeout);
-  std::string missing = missingSubscribers(bus, options.wait_for);
-  while (bus.ok() && !missing.empty() && ros::WallTime::now() < end) {
-    bus.spinFor(kClockPeriod);
-    missing = missingSubscribers(bus, options.wait_for);
-  }
-  if (bus.ok() && !missing.empty())
-    ROS_WARN_STREAM(bus.name() << ": too few subscribers after " << options.wait_timeout << " s: " << missing
-                               << "; starting without them");
-}
 
 /// Serves callbacks until the commands are there by which the source's next step goes.
 void waitForCommands(RosBus& bus, Source& source, double timeout) {

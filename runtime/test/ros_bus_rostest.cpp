@@ -11,12 +11,14 @@
 #include <tws_runtime/nodelet.h>
 #include <tws_runtime/ros_bus.h>
 #include <tws_runtime/run.h>
+#include <xmlrpcpp/XmlRpcClient.h>
 
 #include <net/if.h>
 #include <netinet/in.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
 
+#include <csignal>
 #include <cstdio>
 #include <functional>
 #include <iostream>
@@ -26,6 +28,7 @@
 #include <vector>
 
 #include "example_nodes.h"
+#include "subscriber_counts.h"
 
 namespace tws_runtime {
 namespace {
@@ -196,14 +199,15 @@ TEST_F(RosBusTest, BetweenNodesOfOneProcessMessagesAreNotCopied) {
 TEST_F(RosBusTest, SubscribersOfTheSameProcessAreCountedOneByOne) {
   RosBus sender(ros::NodeHandle("/first"));
   const auto publisher = sender.advertise<tws_msgs::Detections>("/counted");
-  EXPECT_EQ(sender.subscribers("/counted"), 0u);
+  const auto count = [] { return subscriberCounts({"/counted"}, 10.0).at("/counted"); };
+  EXPECT_EQ(count(), 0u);
   {
     RosBus receiver(ros::NodeHandle("/second"));
     receiver.subscribe<tws_msgs::Detections>("/counted", [](const auto&) {});
     sender.subscribe<tws_msgs::Detections>("/counted", [](const auto&) {});
-    EXPECT_EQ(sender.subscribers("/counted"), 2u);
+    EXPECT_EQ(count(), 2u);
   }
-  EXPECT_EQ(sender.subscribers("/counted"), 1u);
+  EXPECT_EQ(count(), 1u);
 }
 
 // If this fails, anybody in the network can end a node that was told to be for this machine alone: roscpp opens each
@@ -238,6 +242,21 @@ TEST_F(RosBusTest, ATopicOfAnotherTypeIsRefused) {
   EXPECT_THROW(bus.advertise<std_msgs::Header>("/typed"), std::runtime_error);
 }
 
+/// Of a node, by its own word.
+int pidOf(const std::string& name) {
+  XmlRpc::XmlRpcValue request, response, payload;
+  request[0] = ros::this_node::getName();
+  request[1] = name;
+  if (!ros::master::execute("lookupNode", request, response, payload, false)) return -1;
+  std::string host;
+  std::uint32_t port = 0;
+  ros::network::splitURI(payload, host, port);
+  XmlRpc::XmlRpcClient client(host.c_str(), static_cast<int>(port), "/");
+  XmlRpc::XmlRpcValue asked;
+  asked[0] = ros::this_node::getName();
+  return client.execute("getPid", asked, response) ? static_cast<int>(response[2]) : -1;
+}
+
 /// What a program says and its exit status.
 std::pair<std::string, int> outcomeOf(const std::string& command) {
   FILE* pipe = popen(("rosrun tws_runtime " + command + " 2>&1").c_str(), "r");
@@ -259,7 +278,9 @@ TEST_F(RosBusTest, ASourceGoesOnWithoutSubscribersAfterAWarningAndRunsAsFastAsPo
   ros::param::set("/lonely/live/wait_for", std::vector<std::string>{"/nobody"});
   const std::string options = " _live/wait_timeout:=0.3 _live/rate:=0 _live/linger:=0.0";
   const auto [said, status] = outcomeOf("tws_runtime_test_numbers __name:=lonely" + options);
-  EXPECT_NE(said.find("lonely: too few subscribers after 0.3 s: /nobody"), std::string::npos) << said;
+  EXPECT_NE(said.find("lonely: too few subscribers after 0.3 s: /nobody (0 of 1); starting without them"),
+            std::string::npos)
+      << said;
   EXPECT_EQ(status, 0);
 }
 
@@ -306,6 +327,43 @@ LiveOptions asFastAsPossible(double command_timeout) {
   options.linger = 0.0;
   options.command_timeout = command_timeout;
   return options;
+}
+
+// If this fails, a recording begins without the first words of a tracker to whom the recorder is connected late: relay
+// is another process, whose topic nobody hears until the source has waited for a second.
+TEST_F(RosBusTest, ASourceWaitsForTheListenersOfOtherNodes) {
+  RosBus bus(ros::NodeHandle("/patient"));
+  LoopSource source(bus, 5);
+  LiveOptions options = asFastAsPossible(20.0);
+  options.wait_for = {"/relay/ticks", "~report"};
+  options.wait_timeout = 60.0;
+  ros::NodeHandle node;
+  ros::Subscriber ticks;
+  bool early = false;
+  bus.everyWall(1.0, [&] {
+    if (ticks) return;
+    early = source.steps > 0;
+    ticks = listen<std_msgs::Header>(node, "/relay/ticks", [](const auto&) {});
+  });
+  const ros::WallTime start = ros::WallTime::now();
+  runLive(bus, source, options);
+  EXPECT_FALSE(early);
+  EXPECT_EQ(source.steps, 5);
+  EXPECT_EQ(ticks.getNumPublishers(), 1u);
+  EXPECT_LT((ros::WallTime::now() - start).toSec(), options.wait_timeout / 2);
+}
+
+/// A node that has been stopped answers nobody: the longest that asking it may take [s].
+constexpr double kPatience = 5.0;
+
+// If this fails, a run whose tracker stands never starts.
+TEST_F(RosBusTest, ANodeThatDoesNotAnswerIsNotAwaitedForEver) {
+  const int pid = pidOf("/relay");
+  ASSERT_EQ(kill(pid, SIGSTOP), 0);
+  const ros::WallTime start = ros::WallTime::now();
+  EXPECT_EQ(subscriberCounts({"/relay/out"}, 0.5).at("/relay/out"), 0u);
+  EXPECT_LT((ros::WallTime::now() - start).toSec(), kPatience);
+  ASSERT_EQ(kill(pid, SIGCONT), 0);
 }
 
 // If this fails, a radar that is steered by its tracker runs away from it, and no live run is like an offline one.

@@ -36,9 +36,8 @@ class RosBus : public Bus {
 
   /// The sub-tree `live` of the private parameters, which parameters() leaves out; see LiveOptions.
   YAML::Node liveParameters() const;
-  /// How many subscribers this node's publisher of `topic` has, those of the same process included; 0 when it does not
-  /// publish there.
-  std::uint32_t subscribers(const std::string& topic) const;
+  /// The absolute name of a topic, after this node's remaps.
+  std::string resolved(const std::string& topic) const;
   std::vector<CounterReading> counters() const;
 
   /// Calls what waits and what comes meanwhile, for at least `wall_s` [s of wall time], >= 0, or until ok() says false.
