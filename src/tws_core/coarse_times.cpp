@@ -83,7 +83,8 @@ std::vector<double> refinedTimes(const TimedAzimuths& plots, const Rotation& rot
 std::optional<Rotation> rotationOfWholeScans(const TimedAzimuths& plots) {
   constexpr double kShortest = 1.05, kLongest = 59.0;  // [s]
   constexpr double kSeveral = 3.0;                     // plots of one time
-  constexpr double kLittle = 0.45;
+  // Ten plots of a whole scan change by 1.25 / √10 = 0.40 by chance, those of two thirds of one by 0.72 and more.
+  constexpr double kLittle = 0.55;
   const double step = commonStep(plots);
   const auto scans = static_cast<double>(distinctTimes(plots).size());
   if (step < kShortest || step > kLongest || static_cast<double>(plots.size()) < kSeveral * scans) return std::nullopt;
