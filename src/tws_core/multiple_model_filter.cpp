@@ -193,8 +193,7 @@ double MultipleModelFilter::correctBy(const PlanarPosition& z, const RangeRate& 
   const auto surprises = [&](const PlanarMotion& s) {
     return surprise(s, z) > kSurprise || (rate.known() && fitOf(s, rate).squared_distance > kSurprise);
   };
-  const bool manoeuvre =
-      params.manoeuvre_acceleration > 0.0 && std::all_of(state_.begin(), state_.end(), surprises);
+  const bool manoeuvre = params.manoeuvre_acceleration > 0.0 && std::all_of(state_.begin(), state_.end(), surprises);
   if (manoeuvre) {
     for (TurningMotion& s : state_) addManoeuvre(s, dt, params.manoeuvre_acceleration);
   }

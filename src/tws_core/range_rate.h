@@ -20,27 +20,25 @@ struct RangeRate {
 
   bool known() const { return !std::isnan(value); }
   /// The difference of two rates, of all that it may be the smallest.
-  double difference(double a, double b) const {
-    return ambiguity > 0.0 ? std::remainder(a - b, ambiguity) : a - b;
-  }
+  double difference(double a, double b) const { return ambiguity > 0.0 ? std::remainder(a - b, ambiguity) : a - b; }
 };
 
 /// The range rate of a target that moves so, and how it depends on position and velocity: h = p·v / r, with r the slant
 /// range.
 struct RangeRatePrediction {
-  double value;             // [m/s]
-  double x, y, vx, vy;      // its derivatives
-  double to_position[2];    // its covariance with x and y [m²/s],
-  double to_velocity[2];    // and with vx and vy [m²/s²]
-  double variance;          // without the radar's own error [m²/s²]
+  double value;           // [m/s]
+  double x, y, vx, vy;    // its derivatives
+  double to_position[2];  // its covariance with x and y [m²/s],
+  double to_velocity[2];  // and with vx and vy [m²/s²]
+  double variance;        // without the radar's own error [m²/s²]
 };
 
 /// Of first order, but for the variance, which holds the product of the errors of direction and of the velocity across:
 /// of a new track, neither is known.
 RangeRatePrediction predictRangeRate(const PlanarMotion& s, const RangeRate& radar);
 
-/// Is a rate known to that variance [m²/s²], together with the radar's error, of use? Not where it may be one of several
-/// folds.
+/// Is a rate known to that variance [m²/s²], together with the radar's error, of use? Not where it may be one of
+/// several folds.
 inline bool tellsFold(double variance, const RangeRate& z) {
   constexpr double kSigmas = 4.0;
   return z.ambiguity == 0.0 || variance * kSigmas * kSigmas < z.ambiguity * z.ambiguity;

@@ -28,9 +28,7 @@ struct RateMatch {
   double variance = 1.0;  // of that [m²/s²]
 
   /// How much likelier the rate is of the track's target than of a false plot.
-  double likelihood(double span) const {
-    return span * std::exp(-0.5 * squared) / std::sqrt(tws::kTwoPi * variance);
-  }
+  double likelihood(double span) const { return span * std::exp(-0.5 * squared) / std::sqrt(tws::kTwoPi * variance); }
 };
 
 /// Has the plot a range rate that the track may be asked about?
@@ -40,8 +38,8 @@ bool telling(const Track& track, const tws::Plot& plot, const RadarQuality& qual
 
 RateMatch matchOf(const RatePrediction& rate, const RatePrediction::Expected& expected, const tws::Plot& plot,
                   const RadarQuality& quality) {
-  const double off = quality.rangeRate(plot.range_rate)
-                         .difference(plot.range_rate - expected.shift, static_cast<double>(rate.value));
+  const double off =
+      quality.rangeRate(plot.range_rate).difference(plot.range_rate - expected.shift, static_cast<double>(rate.value));
   return {off * off / expected.variance, expected.variance};
 }
 
@@ -68,7 +66,8 @@ double farthestOf(const Track& track, const RadarQuality& quality) {
                              ? std::max(0.0, std::log(quality.rateSpan() * quality.rateSpan() /
                                                       (tws::kTwoPi * RatePrediction::kLeast * rate_variance)))
                              : 0.0;
-  return kRounding + by_rate - 2.0 * std::log(2.0 * tws::kPi * kHardlyOwn) - std::log(track.predicted.innovation.determinant());
+  return kRounding + by_rate - 2.0 * std::log(2.0 * tws::kPi * kHardlyOwn) -
+         std::log(track.predicted.innovation.determinant());
 }
 
 /// The track's claim to the detection, a new one if it has none.

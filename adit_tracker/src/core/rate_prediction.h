@@ -8,10 +8,10 @@ namespace adit_tracker {
 
 /// The range rate that the radar whose beam meets a track next will measure, if it measures any.
 struct RatePrediction {
-  float value = 0.0F;                         // [m/s]
-  float variance = 0.0F;                      // of the innovation, the radar's own error included; 0: it measures none
+  float value = 0.0F;                          // [m/s]
+  float variance = 0.0F;                       // of the innovation, the radar's own error included; 0: it measures none
   float with_range = 0.0F, with_cross = 0.0F;  // its covariance with the innovation in range and cross-range [m²/s]
-  float manoeuvre = 0.0F;                     // standard deviation that a hard manoeuvre adds [m/s]
+  float manoeuvre = 0.0F;                      // standard deviation that a hard manoeuvre adds [m/s]
 
   /// Of its variance, so much is left when the plot's place is known, whatever rounding does.
   static constexpr double kLeast = 1e-3;
