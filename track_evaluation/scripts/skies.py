@@ -5,12 +5,16 @@ import os
 import pathlib
 import sys
 
+import numpy as np
+
 # What it is, and what hard.py makes it of.
 WORLDS = [("60 aircraft, 20 false plots a scan", "plain"), ("100 false plots more in a patch", "plain --patch 100"),
           ("1000 false plots a scan", "plain --fa 1000"), ("detection 0.7, 100 false plots", "plain --pd .7 --fa 100"),
           ("40 that cross, detection 0.7, 100 false plots", "crossing -N 40 --pd .7 --fa 100"),
           ("formations, 40, 100 false plots", "formation -N 40 --fa 100"), ("600-900 m/s", "fast"),
           ("changes of speed of 0.5-1 g", "accel"), ("turns of 3-5 g", "g5"), ("30-60 m/s", "slow60"), ("boats, 5-20 m/s", "slow")]
+DOPPLER = [("60 aircraft, range rates to 2 m/s", "plain"), ("1000 false plots a scan, range rates to 2 m/s", "plain --fa 1000")]
+RATE_SIGMA, FALSE_RATES = 2.0, 300.0  # [m/s]; those of false plots are spread evenly so far each way
 RADARS = ["--radar", "0:6:0", "--radar", "1:8:90"]
 FIGURES = [("ospa_m", "OSPA", "m", 0), ("completeness", "completeness", "", 3), ("swaps", "changes of track", "", 1),
            ("spurious_tracks", "spurious tracks", "", 1)]
@@ -39,12 +43,49 @@ def picture(tracks):
     return reduced
 
 
-def flown(runs, kind, parameters, seed):
+def radial_velocity(flight, t):
+    """Of a flight's rows of truth (t, x, y, vx, vy), by cubics through them [m/s]."""
+    i = int(np.clip(np.searchsorted(flight[:, 0], t) - 1, 0, max(0, len(flight) - 2)))
+    (t0, *a), (t1, *b) = flight[i], flight[min(i + 1, len(flight) - 1)]
+    a, b, h = np.array(a), np.array(b), max(t1 - t0, 1e-9)
+    u = (t - t0) / h if t1 > t0 else 0.0
+    place = (1 + 2 * u) * (1 - u) ** 2 * a[:2] + u * (1 - u) ** 2 * h * a[2:] + u * u * (3 - 2 * u) * b[:2] + u * u * (u - 1) * h * b[2:]
+    velocity = 6 * u * (1 - u) * (b[:2] - a[:2]) / h + (1 - u) * (1 - 3 * u) * a[2:] + u * (3 * u - 2) * b[2:]
+    return place @ velocity / np.hypot(*place)
+
+
+def with_rates(folder):
+    """The world's plots with range rates."""
+    path = folder / "det_rates.csv"
+    if path.exists():
+        return path
+    rows = np.loadtxt(folder / "truth.csv", delimiter=",", skiprows=1)
+    flights = {int(number): rows[rows[:, 1] == number][:, [0, 2, 3, 4, 5]] for number in np.unique(rows[:, 1])}
+    random = np.random.default_rng(1)
+    with open(folder / "det_rot.csv") as source, open(path, "w") as target:
+        target.write(next(source).strip() + ",range_rate_mps\n")
+        for line in source:
+            t, *_, number = line.split(",")
+            flight = flights.get(int(number))
+            known = flight is not None and flight[0, 0] - 5.0 <= float(t) <= flight[-1, 0]
+            rate = f"{radial_velocity(flight, float(t)) + random.normal(0.0, RATE_SIGMA):.2f}" if known else ""
+            target.write(f"{line.strip()},{random.uniform(-FALSE_RATES, FALSE_RATES):.2f}\n" if int(number) < 0 else f"{line.strip()},{rate}\n")
+    return path
+
+
+def doppler(runs):
+    """A parameter file of `default` whose radars measure range rates."""
+    path = runs.folder / "doppler.yaml"
+    path.write_text("radars:\n" + "".join(f'  - {{name: "{radar}", range_rate_sigma_mps: {RATE_SIGMA}}}\n' for radar in (0, 1)))
+    return path
+
+
+def flown(runs, kind, parameters, seed, rates=False):
     """Scores of a parameter set in one world."""
     runs.count_run()
     folder = world(runs, kind, seed)
     tracks = folder / "tracks.csv"
-    files = ["--detections", folder / "det_rot.csv", "--tracks", tracks]
+    files = ["--detections", with_rates(folder) if rates else folder / "det_rot.csv", "--tracks", tracks]
     runs.tool("adit_tracker", "adit_csv", *files, *RADARS, "--epochs", 5, "--params", parameters)
     files = folder / "truth.csv", picture(tracks)
     return json.loads(runs.output("score.py", sys.executable, bench() / "score.py", *files, "--from", 60, "--to", 595, "--json"))
@@ -62,4 +103,17 @@ def rows(runs, seeds, Sample, verdict):
                 for which in (ours, "nrl7952")]
         lines.append((f"harder skies: {what}", "beyond the report", f"{said[0]} ({ours}); {said[1]} (nrl7952)",
                       verdict(samples["nrl7952"]["ospa_m"] - samples[ours]["ospa_m"])))
+    return lines + doppler_rows(runs, seeds, Sample, verdict)
+
+
+def doppler_rows(runs, seeds, Sample, verdict):
+    lines = []
+    for what, kind in DOPPLER:
+        scores = {"with them": [flown(runs, kind, doppler(runs), seed, rates=True) for seed in seeds],
+                  "without": [flown(runs, kind, "default", seed) for seed in seeds]}
+        samples = {name: {key: Sample([s[key] for s in found]) for key, *_ in FIGURES} for name, found in scores.items()}
+        said = [", ".join(f"{name} {of[key].in_words(unit, 1, digits)}" for key, name, unit, digits in FIGURES) + f" ({which})"
+                for which, of in samples.items()]
+        lines.append((f"harder skies: {what}", "beyond the report", "; ".join(said),
+                      verdict(samples["without"]["ospa_m"] - samples["with them"]["ospa_m"])))
     return lines
