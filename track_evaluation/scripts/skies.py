@@ -1,11 +1,12 @@
 """Skies that are harder than the report's: worlds of the bench (hard.py, score.py) in the folder that TWS_SHARED names."""
+import bisect
 import csv
 import json
+import math
 import os
 import pathlib
+import random
 import sys
-
-import numpy as np
 
 # What it is, and what hard.py makes it of.
 WORLDS = [("60 aircraft, 20 false plots a scan", "plain"), ("100 false plots more in a patch", "plain --patch 100"),
@@ -45,31 +46,37 @@ def picture(tracks):
 
 def radial_velocity(flight, t):
     """Of a flight's rows of truth (t, x, y, vx, vy), by cubics through them [m/s]."""
-    i = int(np.clip(np.searchsorted(flight[:, 0], t) - 1, 0, max(0, len(flight) - 2)))
-    (t0, *a), (t1, *b) = flight[i], flight[min(i + 1, len(flight) - 1)]
-    a, b, h = np.array(a), np.array(b), max(t1 - t0, 1e-9)
-    u = (t - t0) / h if t1 > t0 else 0.0
-    place = (1 + 2 * u) * (1 - u) ** 2 * a[:2] + u * (1 - u) ** 2 * h * a[2:] + u * u * (3 - 2 * u) * b[:2] + u * u * (u - 1) * h * b[2:]
-    velocity = 6 * u * (1 - u) * (b[:2] - a[:2]) / h + (1 - u) * (1 - 3 * u) * a[2:] + u * (3 * u - 2) * b[2:]
-    return place @ velocity / np.hypot(*place)
+    after = min(max(1, bisect.bisect([row[0] for row in flight], t)), len(flight) - 1)
+    (t0, *a), (t1, *b) = flight[max(0, after - 1)], flight[after]
+    h = t1 - t0 if t1 > t0 else 1.0
+    u = (t - t0) / h
+    place, velocity = [], []
+    for p, v, q, w in zip(a[:2], a[2:], b[:2], b[2:]):
+        place.append((1 + 2 * u) * (1 - u)**2 * p + u * (1 - u)**2 * h * v + u * u * (3 - 2 * u) * q + u * u * (u - 1) * h * w)
+        velocity.append(6 * u * (1 - u) * (q - p) / h + (1 - u) * (1 - 3 * u) * v + u * (3 * u - 2) * w)
+    return sum(p * v for p, v in zip(place, velocity)) / math.hypot(*place)
 
 
 def with_rates(folder):
-    """The world's plots with range rates."""
+    """The world's plots with range rates; none where truth has no rows about them."""
     path = folder / "det_rates.csv"
     if path.exists():
         return path
-    rows = np.loadtxt(folder / "truth.csv", delimiter=",", skiprows=1)
-    flights = {int(number): rows[rows[:, 1] == number][:, [0, 2, 3, 4, 5]] for number in np.unique(rows[:, 1])}
-    random = np.random.default_rng(1)
+    flights, chance = {}, random.Random(1)
+    with open(folder / "truth.csv") as source:
+        for row in list(csv.reader(source))[1:]:
+            flights.setdefault(row[1], []).append([float(row[k]) for k in (0, 2, 3, 4, 5)])
     with open(folder / "det_rot.csv") as source, open(path, "w") as target:
         target.write(next(source).strip() + ",range_rate_mps\n")
         for line in source:
-            t, *_, number = line.split(",")
-            flight = flights.get(int(number))
-            known = flight is not None and flight[0, 0] - 5.0 <= float(t) <= flight[-1, 0]
-            rate = f"{radial_velocity(flight, float(t)) + random.normal(0.0, RATE_SIGMA):.2f}" if known else ""
-            target.write(f"{line.strip()},{random.uniform(-FALSE_RATES, FALSE_RATES):.2f}\n" if int(number) < 0 else f"{line.strip()},{rate}\n")
+            t, number = float(line.split(",")[0]), line.strip().split(",")[-1]
+            flight = flights.get(number, [])
+            rate = ""
+            if int(number) < 0:
+                rate = f"{chance.uniform(-FALSE_RATES, FALSE_RATES):.2f}"
+            elif len(flight) > 1 and flight[0][0] - 5.0 <= t <= flight[-1][0]:
+                rate = f"{radial_velocity(flight, t) + chance.gauss(0.0, RATE_SIGMA):.2f}"
+            target.write(f"{line.strip()},{rate}\n")
     return path
 
 
