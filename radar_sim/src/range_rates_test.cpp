@@ -88,7 +88,9 @@ TEST(RangeRates, OfAJammerAreThoseOfNoise) {
   Jammer jammer;
   jammer.name = "jammer";
   jammer.from = kTestStart;
-  jammer.place = {30e3, 0.0};
+  jammer.place = {0.0, 50e3};
+  jammer.height = 1000.0;
+  jammer.suppression = 1e3;
   const auto echoes = ClutterScans(jammer, doppler(1.0)).next(3);
   ASSERT_GT(echoes.size(), 100u);
   const auto [mean, spread] = errors(echoes, [](const Eigen::Vector2d&) { return 0.0; });
