@@ -31,7 +31,8 @@ struct RadarEvent {
 
 /// Straight flights on a disk seen by two radars, the errors those of 100 m × 0.3° at 100 km. Further out the azimuth
 /// error shrinks so that it stays 520 m across: otherwise no tracker could tell targets 5 km apart from each other at
-/// 1000 km. `crowd`: false plots a scan within 1 km of one place besides.
+/// 1000 km. `crowd`: false plots a scan within 1 km of one place besides. Plots have range rates, too; whether they are
+/// used, parameters say.
 class World {
  public:
   World(long targets, double radius, long crowd = 0) : radius_(radius), crowd_(crowd), random_(1) {
@@ -66,11 +67,14 @@ class World {
       sectors[i].enter_time = begin + period * i / tws::kSectors;
       sectors[i].leave_time = begin + period * (i + 1) / tws::kSectors;
     }
-    const auto add = [&](double range, double beam, double azimuth) {
+    std::mt19937_64 random_rate(1);
+    std::uniform_real_distribution<double> any_rate(-300.0, 300.0);
+    const auto add = [&](double range, double beam, double azimuth, double rate) {
       tws::Plot plot;
       plot.time = begin + period * beam / tws::kTwoPi;
       plot.range = std::max(range, 100.0);
       plot.azimuth = tws::wrapTwoPi(azimuth);
+      plot.range_rate = rate;
       sectors[static_cast<std::size_t>(tws::sectorOf(beam))].plots.push_back(plot);
     };
     for (const Target& target : targets_) {
@@ -82,18 +86,19 @@ class World {
       }
       const double t = begin + period * tws::wrapTwoPi(azimuth) / tws::kTwoPi;
       const double range = std::hypot(target.x + target.vx * t, target.y + target.vy * t);
-      add(range + 100.0 * normal(random_), tws::wrapTwoPi(azimuth), azimuth + azimuthSigma() * normal(random_));
+      const double rate = target.vx * std::sin(azimuth) + target.vy * std::cos(azimuth);
+      add(range + 100.0 * normal(random_), tws::wrapTwoPi(azimuth), azimuth + azimuthSigma() * normal(random_), rate);
     }
     const double area = tws::kPi * radius_ * radius_;
     const int false_plots = std::poisson_distribution<int>(kFalseDensity * area)(random_);
     for (int i = 0; i < false_plots; ++i) {
       const double azimuth = unit(random_) * tws::kTwoPi;
-      add(std::sqrt(unit(random_)) * radius_, azimuth, azimuth);
+      add(std::sqrt(unit(random_)) * radius_, azimuth, azimuth, any_rate(random_rate));
     }
     for (long i = 0; i < crowd_; ++i) {
       const double away = 1e3 * std::sqrt(unit(random_)), course = unit(random_) * tws::kTwoPi;
       const double x = 21e3 + away * std::sin(course), y = 34e3 + away * std::cos(course);
-      add(std::hypot(x, y), std::atan2(x, y), std::atan2(x, y));
+      add(std::hypot(x, y), std::atan2(x, y), std::atan2(x, y), any_rate(random_rate));
     }
     for (tws::RadarSector& sector : sectors) {
       std::sort(sector.plots.begin(), sector.plots.end(),
@@ -108,7 +113,7 @@ class World {
   std::vector<Target> targets_;
 };
 
-AditParams paramsOfSet(const World& world, const std::string& set, long targets) {
+AditParams paramsOfSet(const World& world, const std::string& set, long targets, double rate_sigma) {
   AditParams params = AditParams::named(set);
   params.capacity = params.clutter.capacity = static_cast<std::uint32_t>(std::min(1000001L, 1000L + 4L * targets));
   for (const char* name : {"sps12", "sps39"}) {
@@ -116,13 +121,14 @@ AditParams paramsOfSet(const World& world, const std::string& set, long targets)
     radar.name = name;
     radar.period = kPeriods[params.radars.size()];
     radar.azimuth_sigma = world.azimuthSigma();
+    radar.range_rate_sigma = rate_sigma;
     params.radars.push_back(radar);
   }
   return params;
 }
 
-void track(benchmark::State& state, const std::string& set, const World& world) {
-  const AditParams params = paramsOfSet(world, set, state.range(0));
+void track(benchmark::State& state, const std::string& set, const World& world, double rate_sigma = 0.0) {
+  const AditParams params = paramsOfSet(world, set, state.range(0), rate_sigma);
   std::uint64_t detections = 0;
   std::uint32_t tracks = 0;
   for ([[maybe_unused]] auto round : state) {
@@ -146,8 +152,10 @@ void track(benchmark::State& state, const std::string& set, const World& world) 
   state.counters["bytes_per_track"] = sizeof(Track);
 }
 
-void constantDensity(benchmark::State& state, const std::string& set) {
-  track(state, set, {state.range(0), std::sqrt(static_cast<double>(state.range(0)) / (tws::kPi * kDensity))});
+/// Without the standard deviation of range rates [m/s], they are not used.
+void constantDensity(benchmark::State& state, const std::string& set, double rate_sigma = 0.0) {
+  const double radius = std::sqrt(static_cast<double>(state.range(0)) / (tws::kPi * kDensity));
+  track(state, set, {state.range(0), radius}, rate_sigma);
 }
 
 void fixedDisk(benchmark::State& state, const std::string& set) { track(state, set, {state.range(0), 100e3}); }
@@ -158,6 +166,7 @@ void crowdedPlace(benchmark::State& state, const std::string& set) {
 }
 
 BENCHMARK_CAPTURE(constantDensity, default, std::string("default"))->Arg(60)->Arg(1000)->Arg(10000)->Arg(100000);
+BENCHMARK_CAPTURE(constantDensity, with_range_rates, std::string("default"), 2.0)->Arg(60)->Arg(1000)->Arg(10000);
 BENCHMARK_CAPTURE(fixedDisk, default, std::string("default"))->Arg(60)->Arg(1000)->Arg(10000);
 BENCHMARK_CAPTURE(constantDensity, nrl7952, std::string("nrl7952"))->Arg(60)->Arg(1000)->Arg(10000);
 BENCHMARK_CAPTURE(crowdedPlace, default, std::string("default"))->Arg(100)->Arg(1000)->Arg(4000);

@@ -25,6 +25,7 @@ void readPlots(const std::string& text) {
     double last = -INFINITY;
     for (const tws::Plot& plot : of_it) {
       if (!std::isfinite(plot.range) || !std::isfinite(plot.azimuth)) found("a plot at no place");
+      if (std::abs(plot.range_rate) > 1e5) found("a range rate out of all bounds");
       if (!(plot.time >= last && plot.time < INFINITY)) found("a plot out of the order of time");
       last = plot.time;
     }

@@ -159,6 +159,12 @@ Input inputOf(const Options& options, PlotTable& table) {
     input.last_time = std::max(input.last_time, plots.back().time);
   }
   check(input.params);
+  const auto usesRates = [](const RadarParams& radar) { return radar.range_rate_sigma > 0.0; };
+  const auto& radars = input.params.radars;
+  if (table.has_range_rates && std::none_of(radars.begin(), radars.end(), usesRates)) {
+    std::cerr << options.detections
+              << ": range_rate_mps is not used: no radar has range_rate_sigma_mps (--params with a file)\n";
+  }
   if (input.own_ship && !joinsSites(input.params))
     throw std::runtime_error("--own-ship needs the turning filter, statistical gates and a clutter map for each radar");
   if (!options.clutter_map.empty()) input.maps = loadClutterFile(options.clutter_map, ClutterLimits(input.params));

@@ -57,6 +57,35 @@ TEST(AditNode, OnDemandItTellsWhatBecomesOfEachPlot) {
   EXPECT_GT(updated, 80U);
 }
 
+// If this fails, a radar's Doppler does not come through from the message to the tracks.
+TEST(AditNode, UsesTheRangeRatesOfRadarsThatMeasureThem) {
+  const std::vector<TestTarget> targets = eightAircraft();
+  RadarSectors radars = flights(20.0, targets);
+  for (auto& sectors : radars) {
+    for (tws::RadarSector& sector : sectors) {
+      for (tws::Plot& plot : sector.plots) {
+        const auto far = [&](const TestTarget& t) { return std::abs(t.range(plot.time) - plot.range); };
+        const TestTarget& its = *std::min_element(targets.begin(), targets.end(),
+                                                  [&](const auto& a, const auto& b) { return far(a) < far(b); });
+        plot.range_rate = its.vx * std::sin(plot.azimuth) + its.vy * std::cos(plot.azimuth);
+      }
+    }
+  }
+  const std::string each = "{name: r0, range_rate_sigma_mps: 2}, {name: r1, period_s: 8, range_rate_sigma_mps: 2}";
+  NodeGraph without, with("{radars: [" + each + "]}");
+  without.play(radars, 0.0, 20.0);
+  with.play(radars, 0.0, 20.0);
+  const auto greatestStartingRate = [](const NodeGraph& node) {
+    double greatest = 0.0;
+    std::set<std::uint32_t> known;
+    for (const tws_msgs::Track& update : node.updates())
+      if (known.insert(update.uid).second) greatest = std::max(greatest, std::abs(update.range_rate));
+    return greatest;
+  };
+  EXPECT_LT(greatestStartingRate(without), 1.0);
+  EXPECT_GT(greatestStartingRate(with), 100.0);
+}
+
 // If this fails, a display cannot tell a sure track from a doubtful one, or a turn from straight flight.
 TEST(AditNode, TracksBearTheirChanceOfExistenceAndOfTheirModels) {
   const RadarSectors radars = flights(60.0, eightAircraft());

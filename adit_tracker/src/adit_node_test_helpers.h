@@ -33,7 +33,7 @@ class NodeGraph {
  public:
   explicit NodeGraph(const std::string& parameters = "{}") {
     YAML::Node tree = YAML::Load(parameters);
-    tree["radars"] = YAML::Load("[{name: r0, period_s: 6}, {name: r1, period_s: 8}]");
+    if (!tree["radars"]) tree["radars"] = YAML::Load("[{name: r0, period_s: 6}, {name: r1, period_s: 8}]");
     bus = &graph.addNode("adit", tree);
     node_ = std::make_unique<AditNode>(*bus);
     tws_runtime::Bus& ear = graph.addNode("ear");

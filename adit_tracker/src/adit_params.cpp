@@ -29,6 +29,12 @@ void checkRadars(const AditParams& params) {
     require(r.range_sigma > 0.0 && r.range_sigma <= 1e5, "range_sigma of " + r.name, r.range_sigma, "(0, 100000] m");
     require(r.azimuth_sigma > 0.0 && r.azimuth_sigma <= 0.5, "azimuth_sigma of " + r.name, r.azimuth_sigma,
             "(0, 0.5] rad");
+    require(r.range_rate_sigma >= 0.0 && r.range_rate_sigma <= 1e3, "range_rate_sigma of " + r.name, r.range_rate_sigma,
+            "[0, 1000] m/s");
+    require(r.range_rate_span >= 1.0 && r.range_rate_span <= 1e5, "range_rate_span of " + r.name, r.range_rate_span,
+            "[1, 100000] m/s");
+    require(r.range_rate_ambiguity >= 0.0 && r.range_rate_ambiguity <= 1e5, "range_rate_ambiguity of " + r.name,
+            r.range_rate_ambiguity, "[0, 100000] m/s");
   }
   if (!params.reference_radar.empty() && names.count(params.reference_radar) == 0) {
     throw std::invalid_argument("reference_radar: there is no radar named " + params.reference_radar);

@@ -22,6 +22,9 @@ struct RadarParams {
   double period = 6.0;                            // Of a turn, until its marks tell [s].
   double range_sigma = 100.0;                     // Standard deviation of its ranges where the plot does not say [m].
   double azimuth_sigma = 0.3 * tws::kPi / 180.0;  // The same of its azimuths [rad].
+  double range_rate_sigma = 0.0;                  // The same of its range rates (Doppler) [m/s]; 0: they are not used.
+  double range_rate_span = 600.0;                 // Over how many m/s those of its false plots are spread evenly.
+  double range_rate_ambiguity = 0.0;              // They are known but for multiples of this [m/s]; 0: they are known.
 };
 
 /// A secondary radar that reports which tracks answer (IFF).

@@ -36,6 +36,9 @@ void readRadars(ParameterReader& reader, std::vector<RadarParams>& radars) {
     entry.number("period_s", radar.period, 0.5, 120.0);
     entry.number("range_sigma_m", radar.range_sigma, 0.1, 1e5);
     scaledNumber(entry, "azimuth_sigma_deg", radar.azimuth_sigma, tws::kRadiansPerDegree, 1e-4, 20.0);
+    entry.number("range_rate_sigma_mps", radar.range_rate_sigma, 0.0, 1e3);
+    entry.number("range_rate_span_mps", radar.range_rate_span, 1.0, 1e5);
+    entry.number("range_rate_ambiguity_mps", radar.range_rate_ambiguity, 0.0, 1e5);
     entry.done();
     radars.push_back(radar);
   }

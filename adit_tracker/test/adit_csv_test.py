@@ -249,6 +249,31 @@ class AditCsv(unittest.TestCase):
         self.assertIn("plots.csv:37: range_m 'none' is no number", said)
         self.assertIn("plots used          35", said)
 
+    # If this fails, a radar's Doppler is read and does nothing, or a file with it cannot be read.
+    def test_range_rates_are_used_where_a_parameter_file_says_so(self):
+        rows = []
+        for row in plots():
+            t = float(row.split(",")[0])
+            x, y = 60e3 - 150 * t, 20e3 + 120 * t
+            rows.append(f"{row},{(-150 * x + 120 * y) / math.hypot(x, y):.2f}")
+        with open(self.detections, "w") as file:
+            file.write("t_s,radar,scan,range_m,az_deg,range_rate_mps\n" + "".join(row + "\n" for row in rows))
+        parameters = os.path.join(self.folder.name, "doppler.yaml")
+        with open(parameters, "w") as file:
+            file.write("radars: [{name: a, range_rate_sigma_mps: 2}, {name: b, range_rate_sigma_mps: 2}]\n")
+        files = ["--detections", self.detections, "--tracks", self.tracks, "--radar", "a:6:0", "--radar", "b:8:0"]
+        done = self.start(*files)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("range_rate_mps is not used: no radar has range_rate_sigma_mps", done.stderr)
+        done = self.start(*files, "--params", parameters)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertNotIn("range_rate_mps", done.stderr)
+        with open(self.tracks) as file:
+            first = next(csv.DictReader(file))
+        x, y, vx, vy = (float(first[key]) for key in ("x_m", "y_m", "vx_mps", "vy_mps"))
+        rate = [float(row.split(",")[-1]) for row in rows][0]
+        self.assertAlmostEqual((x * vx + y * vy) / math.hypot(x, y), rate, delta=1.0)
+
     # If this fails, a picture is made from plots that come later: no real-time system could have made it.
     def test_epochs_use_only_what_was_there(self):
         whole, _ = self.track(plots(), "--epochs", "5")

@@ -63,6 +63,9 @@ struct RadarParams {
   double range_sigma = 100.0;                ///< [m]
   double azimuth_sigma = tws::radians(0.3);  ///< [rad]
   bool snr_dependent_noise = false;          ///< The sigmas are then the floor, see noiseSigma().
+  double range_rate_sigma = 0.0;             ///< Of range rates (Doppler) [m/s]; 0: it measures none.
+  double range_rate_span = 600.0;            ///< Full width over which those of false alarms are spread [m/s].
+  double range_rate_ambiguity = 0.0;         ///< Range rates are told modulo this, and so span it [m/s]; 0: whole.
   double range_lsb = tws::kRangeLsb;         ///< [m]; 0: not quantised.
   double azimuth_lsb = tws::kAzimuthLsb;     ///< [rad]; 0: not quantised.
   double time_lsb = tws::kTimeLsb;           ///< Clock tick for plots and marks [s]; 0: not quantised.
@@ -71,6 +74,8 @@ struct RadarParams {
   double false_alarms_per_scan = 20.0;  ///< Poisson mean.
   bool false_alarms_by_area = true;     ///< Uniform over area; false: uniform over range cells.
   double clutter_suppression = 1.0;     ///< Power ratio beside what each kind of clutter says, see ClutterSpec.
+
+  bool measuresRangeRates() const { return range_rate_sigma > 0.0; }
 
   std::optional<ElevationSearchParams> elevation_search;  ///< Nothing: it cannot.
 };

@@ -57,6 +57,9 @@ void readMeasurement(ParameterReader& reader, RadarParams& radar) {
   reader.number("range_sigma_m", radar.range_sigma, 0.0, 10000.0);
   scaledNumber(reader, "azimuth_sigma_deg", radar.azimuth_sigma, kRadiansPerDegree, 0.0, 20.0);
   reader.flag("snr_dependent_noise", radar.snr_dependent_noise);
+  reader.number("range_rate_sigma_mps", radar.range_rate_sigma, 0.0, 1000.0);
+  reader.number("range_rate_span_mps", radar.range_rate_span, 0.0, 20000.0);
+  reader.number("range_rate_ambiguity_mps", radar.range_rate_ambiguity, 0.0, 20000.0);
   reader.number("range_lsb_m", radar.range_lsb, 0.0, 10000.0);
   scaledNumber(reader, "azimuth_lsb_deg", radar.azimuth_lsb, kRadiansPerDegree, 0.0, 10.0);
   // A tick must be shorter than the time in one sector, or plots could not lie within theirs.

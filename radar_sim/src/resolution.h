@@ -16,12 +16,13 @@ struct Echo {
   double azimuth_error = 0.0;                    ///< Of the measurement [rad].
   double elevation = tws::Plot::kUnknown;        ///< As measured [rad]; NaN: not.
   double elevation_sigma = tws::Plot::kUnknown;  ///< Of that [rad].
+  double range_rate = tws::Plot::kUnknown;       ///< As measured [m/s]; NaN: not.
 };
 
 /// Closes the resolution cells whose first echo comes before `until`, takes their echoes out of `pending` and returns
 /// one echo a cell. A cell spans `range_cell` [m] and `azimuth_cell` [rad] from its earliest echo on; its echoes merge
-/// at the centre of power, with the errors of the strongest. `pending` must be in order of time and complete up to
-/// `until` plus the time that the beam takes for `azimuth_cell`.
+/// at the centre of power, with the errors and the range rate of the strongest. `pending` must be in order of time and
+/// complete up to `until` plus the time that the beam takes for `azimuth_cell`.
 std::vector<Echo> resolve(std::vector<Echo>& pending, double until, double range_cell, double azimuth_cell);
 
 }  // namespace radar_sim

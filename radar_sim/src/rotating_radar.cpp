@@ -10,6 +10,7 @@
 
 #include "propagation.h"
 #include "radar_equation.h"
+#include "range_rates.h"
 #include "reported_place.h"
 
 namespace radar_sim {
@@ -67,6 +68,11 @@ tws::Polar RotatingRadar::polarOf(const Target& target, double time) const {
   return tws::polarFromEnu(map_to_site_ * target.trajectory->at(time).position);
 }
 
+double RotatingRadar::rangeRateOf(const Target& target, double time) const {
+  const TargetState state = target.trajectory->at(time);
+  return radialVelocity(map_to_site_, {state.velocity}, (map_to_site_ * state.position).normalized());
+}
+
 double RotatingRadar::detectionProbability(std::size_t target, double time) const {
   const Target& it = targets_[target];
   if (isBlindAt(time) || !it.trajectory->existsAt(time)) return 0.0;
@@ -106,6 +112,10 @@ void RotatingRadar::illuminate(std::size_t target, double time) {
                      drawError(it.reflection.jitter, random);
   echo.azimuth_error = drawError(noiseSigma(params_, params_.azimuth_sigma, params_.azimuth_beamwidth, snr), random) +
                        drawError(it.reflection.jitter, random) / polar.range;
+  if (params_.measuresRangeRates()) {
+    RandomStream own(seed_, params_.name + "/range rate/" + it.name, static_cast<std::uint64_t>(std::lround(turns)));
+    echo.range_rate = drawRangeRate(params_, rangeRateOf(it, time), 0.0, own);
+  }
   pending_.push_back(echo);
 }
 
@@ -159,6 +169,7 @@ void RotatingRadar::drawFalseAlarms(std::int64_t sector, double per_scan, const 
   const double mean = per_scan * (leave - enter) / params_.rotation_period;
   if (mean <= 0.0) return;
   RandomStream random(seed_, params_.name + stream, static_cast<std::uint64_t>(sector));
+  RandomStream rates(seed_, params_.name + stream + "/range rate", static_cast<std::uint64_t>(sector));
   const double exponent = params_.false_alarms_by_area ? 2.0 : 1.0;
   std::uniform_real_distribution<> when(enter, leave);
   std::uniform_real_distribution<> how_far(std::pow(params_.min_range, exponent),
@@ -171,6 +182,7 @@ void RotatingRadar::drawFalseAlarms(std::int64_t sector, double per_scan, const 
     const double azimuth = antenna().azimuthAt(time);
     if (isBlindAt(time) || (burst != nullptr && !(burst->isActiveAt(time) && isWithin(*burst, azimuth)))) continue;
     pending_.push_back({time, range, azimuth, power});
+    if (params_.measuresRangeRates()) pending_.back().range_rate = drawFalseRangeRate(params_, rates);
   }
 }
 
@@ -204,6 +216,7 @@ tws::Plot RotatingRadar::measure(const Echo& echo, const SectorSpan& sector) con
   plot.azimuth_sigma = noiseSigma(params_, params_.azimuth_sigma, params_.azimuth_beamwidth, snr);
   plot.elevation = echo.elevation;
   plot.elevation_sigma = echo.elevation_sigma;
+  plot.range_rate = echo.range_rate;
   plot.snr = 10.0 * std::log10(snr);
   return plot;
 }

@@ -56,6 +56,8 @@ class RotatingRadar {
   bool isSilentAt(double time) const { return isFaulty(faults_, FaultKind::kOutage, time); }
   /// Slant range, azimuth and elevation of a target at the site.
   tws::Polar polarOf(const Target& target, double time) const;
+  /// How fast its slant range grows [m/s].
+  double rangeRateOf(const Target& target, double time) const;
   /// Chance that the radar would detect the target on one scan, were the beam on it now; 0 outside the instrumented
   /// range, for a target that does not exist, and while the radar is silent or misses scans. `target`: index among the
   /// targets.

@@ -115,6 +115,43 @@ TEST(RotatingRadar, MeasuresAMovingTargetWhereItIsWhenTheBeamPasses) {
   }
 }
 
+// If it fails, a tracker that uses range rates is pulled off by them.
+TEST(RotatingRadar, MeasuresRangeRatesWithTheirErrorIfItMeasuresAny) {
+  RadarParams params = quietRadar();
+  const Eigen::Vector2d from(30e3, -20e3), velocity(-200.0, 220.0);
+  const auto without = RadarRun(params, {straight("alpha", from, velocity)}).plots(40);
+  params.range_rate_sigma = 3.0;
+  const auto plots = RadarRun(params, {straight("alpha", from, velocity)}).plots(40);
+  ASSERT_GT(plots.size(), 35u);
+  ASSERT_EQ(plots.size(), without.size());
+  double squares = 0.0;
+  for (std::size_t i = 0; i < plots.size(); ++i) {
+    EXPECT_TRUE(std::isnan(without[i].range_rate));
+    EXPECT_EQ(plots[i].range, without[i].range);
+    const Eigen::Vector2d place = from + velocity * (plots[i].time - kStart);
+    const double height = 8000.0 - place.squaredNorm() / (2.0 * 6379e3);
+    const double rate = place.dot(velocity) / std::hypot(place.norm(), height);
+    squares += std::pow(plots[i].range_rate - rate, 2) / static_cast<double>(plots.size());
+  }
+  EXPECT_NEAR(std::sqrt(squares), 3.0, 3.0 * 4.5 / std::sqrt(2.0 * 36.0));
+}
+
+TEST(RotatingRadar, SpreadsRangeRatesOfFalseAlarmsOverTheirSpan) {
+  RadarParams params = quietRadar();
+  params.false_alarms_per_scan = 200.0;
+  params.range_rate_sigma = 3.0;
+  params.range_rate_span = 400.0;
+  double least = 0.0, greatest = 0.0;
+  for (const tws::Plot& plot : RadarRun(params, {}).plots(20)) {
+    least = std::min(least, plot.range_rate);
+    greatest = std::max(greatest, plot.range_rate);
+  }
+  EXPECT_NEAR(least, -199.0, 1.0);
+  EXPECT_NEAR(greatest, 199.0, 1.0);
+  params.range_rate_ambiguity = 50.0;
+  for (const tws::Plot& plot : RadarRun(params, {}).plots(5)) EXPECT_LE(std::abs(plot.range_rate), 25.0);
+}
+
 TEST(RotatingRadar, SeesEachTargetOnceATurnAlsoAcrossNorth) {
   RadarParams params = quietRadar();
   std::vector<Target> targets;

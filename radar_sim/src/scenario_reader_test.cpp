@@ -192,7 +192,7 @@ TEST_F(ScenarioFile, ThatIsMissingIsNamed) {
 
 // The names that launch files and the command know; each must start as it is shipped.
 TEST(ShippedScenarios, AllRun) {
-  for (const char* name : {"adit_nominal", "bel_dense", "full", "one_aircraft", "real_flight"}) {
+  for (const char* name : {"adit_nominal", "bel_dense", "doppler", "full", "one_aircraft", "real_flight"}) {
     SimulatedRun run(loadScenario(std::string(SCENARIOS) + "/" + name + ".yaml"));
     for (int i = 0; i < 1000; ++i) run.step();
     EXPECT_GE(run.detections.size(), 2u) << name;

@@ -81,6 +81,34 @@ inline Vector5 moved(const Vector5& x, double dt) {
   return y;
 }
 
+/// The rate at which the slant range grows, of a target in that state.
+inline double rangeRate(const Vector5& x, const RangeRate& radar) {
+  const Eigen::Vector2d place(x[0] - radar.x, x[1] - radar.y);
+  return place.dot(x.segment<2>(2)) / std::sqrt(place.squaredNorm() + radar.squared_height);
+}
+
+/// An extended Kalman filter's update, whose derivatives are differences. Returns the likelihood.
+inline double correctDensely(Vector5& x, Matrix5& p, const RangeRate& z) {
+  Vector5 h;
+  const double steps[5] = {0.1, 0.1, 1e-3, 1e-3, 1e-5};
+  for (int k = 0; k < 5; ++k) {
+    const Vector5 step = Vector5::Unit(k) * steps[k];
+    h[k] = (rangeRate(x + step, z) - rangeRate(x - step, z)) / (2.0 * steps[k]);
+  }
+  const Eigen::Vector2d place(x[0] - z.x, x[1] - z.y), across(place.y() / place.norm(), -place.x() / place.norm());
+  const double slant2 = place.squaredNorm() + z.squared_height;
+  const double of_both = across.dot(p.block<2, 2>(0, 2) * across);
+  const double products = across.dot(p.block<2, 2>(0, 0) * across) * across.dot(p.block<2, 2>(2, 2) * across);
+  const double by_height = rangeRate(x, z) / (2.0 * slant2);
+  const double s = h.dot(p * h) + (products + of_both * of_both) / slant2 +
+                   by_height * by_height * z.squared_height_variance + z.sigma * z.sigma;
+  const double innovation = z.value - rangeRate(x, z);
+  const Vector5 k = p * h / s;
+  x += k * innovation;
+  p -= k * (h.transpose() * p).eval();
+  return std::exp(-0.5 * innovation * innovation / s) / std::sqrt(2.0 * kPi * s);
+}
+
 /// Interacting multiple models as in Bar-Shalom, Li & Kirubarajan, "Estimation with Applications to Tracking and
 /// Navigation", section 11.6.6, with dense matrices; the turn rate is the fifth state of an extended Kalman filter
 /// whose derivatives are differences.
@@ -166,7 +194,9 @@ struct DenseImm {
     }
   }
 
-  double update(const PlanarPosition& z, double dt) {
+  double update(const PlanarPosition& z, double dt) { return update(z, {}, dt); }
+
+  double update(const PlanarPosition& z, const RangeRate& rate, double dt) {
     mix(dt);
     Matrix25 h = Matrix25::Zero();
     h(0, 0) = h(1, 1) = 1.0;
@@ -178,6 +208,7 @@ struct DenseImm {
       const Eigen::Matrix<double, 5, 2> k = p[i] * h.transpose() * s.inverse();
       x[i] += k * innovation;
       p[i] = (Matrix5::Identity() - k * h) * p[i];
+      if (rate.known()) mu[i] *= correctDensely(x[i], p[i], rate);
       const double side = i == 1 ? 1.0 : -1.0;
       if (rateSigma(i) > 0.0)
         x[i][4] = side * std::min(std::max(side * x[i][4], 0.15 * params.turn_rate), 3.0 * params.turn_rate);

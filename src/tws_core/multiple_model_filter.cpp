@@ -113,6 +113,12 @@ double surprise(const PlanarMotion& s, const PlanarPosition& z) {
 constexpr double kSurprise = 16.0;
 constexpr double kLogManoeuvre = -4.6;  // ln 0.01
 
+/// The fit of a position and that of a range rate together.
+void add(MeasurementFit& fit, const RangeRateFit& rate) {
+  fit.squared_distance += rate.squared_distance;
+  fit.density *= rate.density;
+}
+
 /// Covariance of an unknown constant acceleration over dt.
 void addManoeuvre(PlanarMotion& s, double dt, double acceleration) {
   const double a2 = acceleration * acceleration, t2 = dt * dt;
@@ -174,25 +180,46 @@ void MultipleModelFilter::mix(double dt, const MultipleModelParams& params) {
   probability_[kStraight] = straight;
 }
 
-double MultipleModelFilter::update(const PlanarPosition& z, double dt, const MultipleModelParams& params) {
+double MultipleModelFilter::update(const PlanarPosition& z, const RangeRate& rate, double dt,
+                                   const MultipleModelParams& params) {
   mix(dt, params);
   move(state_, dt, params);
-  return correctBy(z, dt, params);
+  return correctBy(z, rate, dt, params);
 }
 
 /// The measurement alone, after the move of dt [s].
-double MultipleModelFilter::correctBy(const PlanarPosition& z, double dt, const MultipleModelParams& params) {
-  const bool manoeuvre =
-      params.manoeuvre_acceleration > 0.0 &&
-      std::all_of(state_.begin(), state_.end(), [&](const PlanarMotion& s) { return surprise(s, z) > kSurprise; });
+double MultipleModelFilter::correctBy(const PlanarPosition& z, const RangeRate& rate, double dt,
+                                      const MultipleModelParams& params) {
+  const auto surprises = [&](const PlanarMotion& s) {
+    return surprise(s, z) > kSurprise || (rate.known() && fitOf(s, rate).squared_distance > kSurprise);
+  };
+  const bool manoeuvre = params.manoeuvre_acceleration > 0.0 && std::all_of(state_.begin(), state_.end(), surprises);
   if (manoeuvre) {
     for (TurningMotion& s : state_) addManoeuvre(s, dt, params.manoeuvre_acceleration);
   }
   std::array<MeasurementFit, kModels> fit{};
   for (std::size_t i = 0; i < kModels; ++i) fit[i] = correct(state_[i], z);
+  if (rate.known()) {
+    for (std::size_t i = 0; i < kModels; ++i) add(fit[i], correct(state_[i], rate));
+  }
   if (params.turn_rate_sigma > 0.0) {
     for (const std::size_t model : {kLeft, kRight}) limitRate(state_[model], model, params);
   }
+  return weigh(fit) - kLogTwoPi + (manoeuvre ? kLogManoeuvre : 0.0);
+}
+
+double MultipleModelFilter::correctBy(const RangeRate& rate) {
+  std::array<MeasurementFit, kModels> fit{};
+  for (std::size_t i = 0; i < kModels; ++i) {
+    const RangeRateFit its = correct(state_[i], rate);
+    fit[i] = {its.squared_distance, its.density};
+  }
+  return weigh(fit);
+}
+
+/// The chances of the models after a measurement that they fit so; returns the logarithm of its likelihood, their
+/// common factor left out.
+double MultipleModelFilter::weigh(const std::array<MeasurementFit, kModels>& fit) {
   // All against the best fit, or a measurement far from every model would give 0 / 0.
   double least = fit[kStraight].squared_distance;
   for (const MeasurementFit& f : fit) least = std::min(least, f.squared_distance);
@@ -205,7 +232,7 @@ double MultipleModelFilter::correctBy(const PlanarPosition& z, double dt, const 
   for (std::size_t i = 0; i < kModels; ++i) {
     if (before[i] > 0.0) probability_[i] = std::max(probability_[i] / sum, 1e-12);
   }
-  return std::log(sum) - 0.5 * least - kLogTwoPi + (manoeuvre ? kLogManoeuvre : 0.0);
+  return std::log(sum) - 0.5 * least;
 }
 
 void MultipleModelFilter::update(const std::vector<Weighed>& measurements, double missed, double dt,
@@ -214,15 +241,15 @@ void MultipleModelFilter::update(const std::vector<Weighed>& measurements, doubl
   move(state_, dt, params);
   std::vector<MultipleModelFilter> cases;
   cases.reserve(measurements.size() + 1);
-  const auto add = [&](double chance) {
+  const auto count = [&](double chance) {
     for (double& p : cases.back().probability_) p *= chance;
   };
   cases.push_back(*this);
-  add(missed);
+  count(missed);
   for (const Weighed& z : measurements) {
     cases.push_back(*this);
-    cases.back().correctBy(z.position, dt, params);
-    add(z.chance);
+    cases.back().correctBy(z.position, z.rate, dt, params);
+    count(z.chance);
   }
   for (std::size_t model = 0; model < kModels; ++model) merge(cases, model);
 }

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <vector>
 
+#include <tws_core/range_rate.h>
 #include <tws_core/turning_motion.h>
 #include <tws_core/units.h>
 
@@ -55,12 +56,21 @@ class MultipleModelFilter {
 
   /// Moves on by dt [s] ≥ 0, corrects by the measurement. Returns the natural logarithm of the measurement's likelihood
   /// [1/m²].
-  double update(const PlanarPosition& measurement, double dt, const MultipleModelParams& params);
+  double update(const PlanarPosition& measurement, double dt, const MultipleModelParams& params) {
+    return update(measurement, {}, dt, params);
+  }
+  /// The same with the range rate that was measured there and then; the likelihood is that of both [s/m³], of a rate
+  /// that is not known that of the position.
+  double update(const PlanarPosition& measurement, const RangeRate& rate, double dt, const MultipleModelParams& params);
+
+  /// Corrects by a range rate that was measured now. Returns the logarithm of its likelihood [s/m].
+  double correctBy(const RangeRate& rate);
 
   /// A measurement, and the chance that it is the target's.
   struct Weighed {
     PlanarPosition position;
     double chance;
+    RangeRate rate = {};
   };
 
   /// Moves on by dt [s] ≥ 0 and corrects by one of several measurements or none, nobody knows which: `missed` is the
@@ -92,8 +102,9 @@ class MultipleModelFilter {
 
  private:
   void mix(double dt, const MultipleModelParams& params);
-  double correctBy(const PlanarPosition& measurement, double dt, const MultipleModelParams& params);
-
+  double correctBy(const PlanarPosition& measurement, const RangeRate& rate, double dt,
+                   const MultipleModelParams& params);
+  double weigh(const std::array<MeasurementFit, kModels>& fit);
   void merge(const std::vector<MultipleModelFilter>& cases, std::size_t model);
 
   std::array<TurningMotion, kModels> state_;

@@ -69,6 +69,95 @@ TEST(MultipleModelFilter, DoesWhatTheTextbookDoesWithDenseMatrices) {
   }
 }
 
+// If this fails, tracks of radars that measure Doppler are wrong: position, speed, gate, chance of existence.
+TEST(MultipleModelFilter, DoesWhatTheTextbookDoesWithRangeRates) {
+  auto generator = seededGenerator();
+  std::normal_distribution<double> normal;
+  for (int run = 0; run < 20; ++run) {
+    DenseImm dense;
+    dense.params.turn_rate = uniform(generator, 0.02, 0.1);
+    dense.params.turn_rate_sigma = 0.3 * dense.params.turn_rate;
+    MultipleModelFilter filter;
+    double x = 40e3, y = -30e3;
+    PlanarPosition z = randomMeasurement(generator, x, y);
+    filter.start(z, dense.params);
+    dense.start(z);
+    for (int k = 0; k < 20; ++k) {
+      const double dt = uniform(generator, 1.0, 8.0);
+      x += 150.0 * dt;
+      y -= 80.0 * dt;
+      z = randomMeasurement(generator, x, y);
+      RangeRate rate;
+      rate.sigma = 3.0;
+      rate.x = 5e3;
+      if (k % 4 != 0) {
+        const double u = normal(generator);
+        rate.value = ((x - rate.x) * 150.0 - y * 80.0) / std::hypot(x - rate.x, y) + rate.sigma * u;
+      }
+      ASSERT_NEAR(filter.update(z, rate, dt, dense.params), dense.update(z, rate, dt), 1e-4);
+      for (std::size_t i = 0; i < filter.probabilities().size(); ++i)
+        ASSERT_NEAR(filter.probabilities()[i], dense.mu[i], 1e-4);
+      ASSERT_LT((meanOf(filter.mean()) - dense.mean()).norm(), 0.05);
+      expectNear(dense.covariance(), denseOf(filter.predict(0.0, dense.params)), 1e-4);
+    }
+  }
+}
+
+TEST(MultipleModelFilter, ARateThatIsNotKnownChangesNoBit) {
+  auto generator = seededGenerator();
+  const MultipleModelParams params;
+  PlanarPosition z = randomMeasurement(generator, 40e3, 20e3);
+  MultipleModelFilter plain;
+  plain.start(z, params);
+  MultipleModelFilter with = plain;
+  for (int k = 1; k < 10; ++k) {
+    z = randomMeasurement(generator, 40e3 + 600.0 * k, 20e3);
+    EXPECT_EQ(plain.update(z, 4.0, params), with.update(z, RangeRate{}, 4.0, params));
+    plain.update({{z, 0.7}}, 0.3, 4.0, params);
+    with.update({{z, 0.7, RangeRate{}}}, 0.3, 4.0, params);
+    EXPECT_EQ(meanOf(plain.mean()), meanOf(with.mean()));
+  }
+}
+
+// A new track knows how fast its target comes, and no more than before of how fast it goes across.
+TEST(MultipleModelFilter, StartsWithTheRangeRateOfTheFirstPlot) {
+  const MultipleModelParams params = textbook();
+  const PlanarPosition z{0.0, 50e3, {250.0 * 250.0, 0.0, 100.0 * 100.0}};
+  MultipleModelFilter filter;
+  filter.start(z, params);
+  RangeRate rate;
+  rate.value = -180.0;
+  rate.sigma = 2.0;
+  const double log_likelihood = filter.correctBy(rate);
+  const PlanarMotion now = filter.predict(0.0, params);
+  EXPECT_NEAR(now.vy, -180.0, 0.5);
+  EXPECT_NEAR(now.velocity.yy, 4.0, 1.0);  // 150 m/s across at 250 m / 50 km add 0.6 m²/s².
+  EXPECT_NEAR(now.vx, 0.0, 1e-9);
+  EXPECT_NEAR(now.velocity.xx, 150.0 * 150.0, 1.0);
+  EXPECT_NEAR(log_likelihood, -0.5 * 1.44 - std::log(150.0 * std::sqrt(kTwoPi)), 0.01);
+}
+
+// If this fails, a fighter that breaks away between two scans loses its track, as its rate is out of all reason.
+TEST(MultipleModelFilter, ARangeRateShowsAHardManoeuvre) {
+  MultipleModelParams params;
+  params.assumed_height = 0.0;
+  MultipleModelFilter filter;
+  PlanarPosition z{40e3, 0.0, {1e4, 0.0, 4e4}};
+  filter.start(z, params);
+  RangeRate rate;
+  rate.sigma = 2.0;
+  rate.value = 200.0;
+  for (int k = 1; k <= 8; ++k) {
+    z.x += 800.0;
+    filter.update(z, rate, 4.0, params);
+  }
+  z.x += 600.0;  // 4 s at -25 m/s²: 200 m behind where it was to be
+  rate.value = 100.0;
+  const double log_likelihood = filter.update(z, rate, 4.0, params);
+  EXPECT_NEAR(filter.mean().vx, 100.0, 5.0);
+  EXPECT_GT(log_likelihood, -35.0);
+}
+
 // If this fails, a target in straight flight is followed worse than one plain Kalman filter would.
 TEST(MultipleModelFilter, IsOneKalmanFilterWhenNothingEverTurns) {
   auto generator = seededGenerator();

@@ -49,13 +49,14 @@ double density(const tws::Symmetric2& covariance, double along, double across) {
 }
 
 /// The plot moved [m] towards one of the targets that it stands for, with `spread` times the distance of both as
-/// further standard deviation.
+/// further standard deviation. Whose range rate it has, nobody knows.
 tws::Plot towards(double along, double across, double distance_along, double distance_across, double spread,
                   tws::Plot plot, const RadarQuality& quality) {
   plot.range_sigma = std::hypot(quality.rangeSigma(plot), spread * distance_along);
   plot.azimuth_sigma = std::hypot(quality.azimuthSigma(plot), spread * distance_across / plot.range);
   plot.azimuth = tws::wrapTwoPi(plot.azimuth + across / plot.range);
   plot.range = std::max(plot.range + along, 1.0);
+  plot.range_rate = tws::Plot::kUnknown;
   return plot;
 }
 

@@ -22,11 +22,52 @@ double density(const tws::Symmetric2& covariance, double squared_distance) {
   return std::exp(-0.5 * squared_distance) / (2.0 * tws::kPi * std::sqrt(covariance.determinant()));
 }
 
+/// How well the plot's range rate fits the track, where the plot's place is known.
+struct RateMatch {
+  double squared = 0.0;   // the distance, in standard deviations of the innovation
+  double variance = 1.0;  // of that [m²/s²]
+
+  /// How much likelier the rate is of the track's target than of a false plot.
+  double likelihood(double span) const { return span * std::exp(-0.5 * squared) / std::sqrt(tws::kTwoPi * variance); }
+};
+
+/// Has the plot a range rate that the track may be asked about?
+bool telling(const Track& track, const tws::Plot& plot, const RadarQuality& quality) {
+  return track.predicted_rate.known() && quality.rangeRate(plot.range_rate).known();
+}
+
+RateMatch matchOf(const RatePrediction& rate, const RatePrediction::Expected& expected, const tws::Plot& plot,
+                  const RadarQuality& quality) {
+  const double off =
+      quality.rangeRate(plot.range_rate).difference(plot.range_rate - expected.shift, static_cast<double>(rate.value));
+  return {off * off / expected.variance, expected.variance};
+}
+
+RateMatch matchOf(const Track& track, const tws::Plot& plot, const RadarQuality& quality, double by_range,
+                  double across) {
+  const RatePrediction& rate = track.predicted_rate;
+  return matchOf(rate, rate.given(track.predicted.innovation, by_range, across), plot, quality);
+}
+
+/// The same in a hard manoeuvre; `wide`: the innovation's covariance with it.
+RateMatch manoeuvreMatchOf(const Track& track, const tws::Symmetric2& wide, const tws::Plot& plot,
+                           const RadarQuality& quality, double by_range, double across) {
+  const RatePrediction& rate = track.predicted_rate;
+  const double spread = std::sqrt(track.predicted.manoeuvre);
+  return matchOf(rate, rate.givenManoeuvre(wide, spread, by_range, across), plot, quality);
+}
+
 /// Squared distance at which a tentative track leaves a detection alone where one false plot comes on a square metre;
-/// less twice the logarithm of their density, where they are many.
-double farthestOf(const Track& track) {
+/// less twice the logarithm of their density, where they are many. A range rate may speak for the detection.
+double farthestOf(const Track& track, const RadarQuality& quality) {
   constexpr double kRounding = 1e-9;
-  return kRounding - 2.0 * std::log(2.0 * tws::kPi * kHardlyOwn) - std::log(track.predicted.innovation.determinant());
+  const auto rate_variance = static_cast<double>(track.predicted_rate.variance);
+  const double by_rate = track.predicted_rate.known()
+                             ? std::max(0.0, std::log(quality.rateSpan() * quality.rateSpan() /
+                                                      (tws::kTwoPi * RatePrediction::kLeast * rate_variance)))
+                             : 0.0;
+  return kRounding + by_rate - 2.0 * std::log(2.0 * tws::kPi * kHardlyOwn) -
+         std::log(track.predicted.innovation.determinant());
 }
 
 /// The track's claim to the detection, a new one if it has none.
@@ -39,8 +80,8 @@ PlotClaim& claimOf(Detection& detection, std::uint32_t uid) {
 }
 }  // namespace
 
-std::size_t Correlator::smallestGate(const Track& track, double range_difference, double azimuth_difference,
-                                     double& distance) const {
+std::size_t Correlator::smallestGate(const Track& track, const tws::Plot& plot, const RadarQuality& quality,
+                                     double range_difference, double azimuth_difference, double& distance) const {
   if (params_.gates == GateKind::kFixed) {
     for (std::size_t g = 0; g < kGates; ++g) {
       const Gate& gate = params_.track_gates[g];
@@ -55,12 +96,22 @@ std::size_t Correlator::smallestGate(const Track& track, double range_difference
   const Prediction& p = track.predicted;
   const double cross_range = p.range * azimuth_difference;
   const double greatest = params_.gate_sigmas * params_.gate_sigmas;
-  const double squared = p.innovation.mahalanobis(range_difference, cross_range);
+  double squared = p.innovation.mahalanobis(range_difference, cross_range);
   distance = squared + p.log_volume;
+  const bool tells = telling(track, plot, quality) && squared <= greatest;
+  if (tells) {
+    const RateMatch rate = matchOf(track, plot, quality, range_difference, cross_range);
+    squared += rate.squared;
+    const double own = quality.rangeRate(plot.range_rate).sigma;
+    distance += rate.squared + std::log(rate.variance / (own * own));
+  }
   if (squared > greatest) {
     if (manoeuvreOf(track) == 0.0) return kGates;
     // What only a hard manoeuvre explains comes last of all.
-    const double wide = widened(p.innovation, p.manoeuvre).mahalanobis(range_difference, cross_range);
+    const auto covariance = widened(p.innovation, p.manoeuvre);
+    double wide = covariance.mahalanobis(range_difference, cross_range);
+    if (telling(track, plot, quality))
+      wide += manoeuvreMatchOf(track, covariance, plot, quality, range_difference, cross_range).squared;
     return wide <= kManoeuvreSigmas * kManoeuvreSigmas ? kGates - 1 : kGates;
   }
   std::size_t g = 0;
@@ -133,7 +184,8 @@ void Correlator::beginNotes(Detection& detection, const FalsePlotMap& map) const
 /// Fills in the likelihood. False: a tentative track leaves such a detection alone; where they are many, the comparison
 /// with `farthest` says so of nearly all before anything is worked out.
 bool Correlator::mayBeOf(const Track& track, Candidate& candidate, double range_difference, double azimuth_difference,
-                         double farthest, const FalsePlotMap& map) const {
+                         double farthest, const RadarQuality& quality) const {
+  const FalsePlotMap& map = quality.falsePlotMap();
   const Prediction& p = track.predicted;
   Detection& detection = *candidate.detection;
   if (detection.asked_in != run_) beginNotes(detection, map);
@@ -142,9 +194,18 @@ bool Correlator::mayBeOf(const Track& track, Candidate& candidate, double range_
   if (!track.firm && squared > farthest - detection.crowding) return false;
   const double manoeuvre = manoeuvreOf(track);
   candidate.likelihood = density(p.innovation, squared);
+  const bool tells = telling(track, detection.plot, quality);
+  if (tells) {
+    candidate.likelihood *=
+        matchOf(track, detection.plot, quality, range_difference, across).likelihood(quality.rateSpan());
+  }
   if (manoeuvre > 0.0) {
     const auto wide = widened(p.innovation, manoeuvre);
-    candidate.likelihood += kHardManoeuvre * density(wide, wide.mahalanobis(range_difference, across));
+    double hard = kHardManoeuvre * density(wide, wide.mahalanobis(range_difference, across));
+    if (tells)
+      hard *= manoeuvreMatchOf(track, wide, detection.plot, quality, range_difference, across)
+                  .likelihood(quality.rateSpan());
+    candidate.likelihood += hard;
   }
   if (track.firm) return true;
   const double own = track.counted_false[p.radar];
@@ -156,17 +217,18 @@ bool Correlator::mayBeOf(const Track& track, Candidate& candidate, double range_
 
 void Correlator::gather(const Track& track, const Asker& asker, RadarState& radar) {
   const Prediction& p = track.predicted;
-  const double farthest = byChances() && !track.firm ? farthestOf(track) : 0.0;
-  const FalsePlotMap& map = radar.quality.falsePlotMap();
+  const double farthest = byChances() && !track.firm ? farthestOf(track, radar.quality) : 0.0;
   Entry entry{asker.slot, asker.order, asker.primary, false, candidates_.size(), 0};
   const auto consider = [&](Detection& detection, double range_difference, double azimuth_difference) {
     double distance = 0.0;
-    std::size_t gate = smallestGate(track, range_difference, azimuth_difference, distance);
+    std::size_t gate =
+        smallestGate(track, detection.plot, radar.quality, range_difference, azimuth_difference, distance);
     if (gate == kGates) return;
     // A branch takes what all others leave: else it would live on its parent's detections.
     if (track.parent != 0 && !track.firm) gate = kGates - 1;
     Candidate candidate{&detection, distance, gate};
-    if (byChances() && !mayBeOf(track, candidate, range_difference, azimuth_difference, farthest, map)) return;
+    if (byChances() && !mayBeOf(track, candidate, range_difference, azimuth_difference, farthest, radar.quality))
+      return;
     candidates_.push_back(candidate);
     frontier_.add(p.range + range_difference, p.azimuth + azimuth_difference);
   };

@@ -49,10 +49,14 @@ inline void moveOrigin(double& range, double& azimuth, double dx, double dy) {
   azimuth = tws::wrapTwoPi(std::atan2(x, y));
 }
 
-/// A plot that a radar on own ship has measured, against north and as seen from `origin`.
+/// A plot that a radar on own ship has measured, against north and as seen from `origin`; its range rate as if the ship
+/// stood.
 inline tws::Plot seenFrom(const PlaneOrigin& origin, const Passage& ship, tws::Plot plot) {
   const Pose pose = ship.at(plot.time);
   plot.azimuth += pose.heading;
+  const double ahead =
+      (ship.to.x - ship.from.x) * std::sin(plot.azimuth) + (ship.to.y - ship.from.y) * std::cos(plot.azimuth);
+  plot.range_rate += ship.end > ship.begin ? ahead / (ship.end - ship.begin) : tws::Plot::kUnknown;
   moveOrigin(plot.range, plot.azimuth, origin.x - pose.x, origin.y - pose.y);
   return plot;
 }

@@ -17,12 +17,16 @@ constexpr double kLeastGain = 0.002;
 RadarQuality::RadarQuality(const RadarParams& params, bool learn)
     : range_sigma_(params.range_sigma),
       azimuth_sigma_(params.azimuth_sigma),
+      rate_span_(params.range_rate_span),
       least_range_sigma_(0.1 * params.range_sigma),
       least_azimuth_sigma_(0.05 * params.azimuth_sigma),
       greatest_range_sigma_(5.0 * params.range_sigma),
       greatest_azimuth_sigma_(5.0 * params.azimuth_sigma),
       learn_(learn) {
   setGain(0.03);
+  rate_.sigma = params.range_rate_sigma;
+  rate_.ambiguity = params.range_rate_ambiguity;
+  if (rate_.ambiguity > 0.0) rate_span_ = std::min(rate_span_, rate_.ambiguity);
 }
 
 void RadarQuality::setGain(double gain) {

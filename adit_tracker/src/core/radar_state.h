@@ -1,10 +1,12 @@
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <deque>
 #include <optional>
 
 #include <tws_core/antenna.h>
+#include <tws_core/range_rate.h>
 #include <tws_core/site_frame.h>
 #include "adit_params.h"
 #include "clutter/false_plot_map.h"
@@ -24,6 +26,19 @@ class RadarQuality {
   double azimuthSigma(const tws::Plot& plot) const;
   double rangeSigma() const { return range_sigma_; }
   double azimuthSigma() const { return azimuth_sigma_; }
+
+  /// Are its range rates of use?
+  bool measuresRates() const { return rate_.sigma > 0.0; }
+  /// One of its range rates [m/s]; NaN: unknown, as all are of a radar whose rates are of no use, and those that are
+  /// mistakes. Place and height are still to be filled in.
+  tws::RangeRate rangeRate(double value) const {
+    constexpr double kFastest = 1e5;  // [m/s]
+    tws::RangeRate rate = rate_;
+    if (measuresRates() && std::abs(value) <= kFastest) rate.value = value;
+    return rate;
+  }
+  /// Over how many m/s those of its false plots are spread evenly.
+  double rateSpan() const { return rate_span_; }
 
   /// A firm track was updated: innovation in range and cross-range, in standard deviations. Moves the learned sigmas so
   /// that about half of all innovations stay within the median of the normal distribution; that is hardly touched by
@@ -52,6 +67,8 @@ class RadarQuality {
   void setGain(double gain);
 
   double range_sigma_, azimuth_sigma_;
+  tws::RangeRate rate_;  // without a value
+  double rate_span_;
   double least_range_sigma_, least_azimuth_sigma_, greatest_range_sigma_, greatest_azimuth_sigma_;
   bool learn_;
   double gain_ = 0.0, grown_ = 1.0, shrunk_ = 1.0;

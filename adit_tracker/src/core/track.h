@@ -7,6 +7,7 @@
 #include <tws_core/alpha_beta.h>
 
 #include <tws_core/multiple_model_filter.h>
+#include "core/rate_prediction.h"
 #include "core/reference_place.h"
 #include "elevation/height_guess.h"
 
@@ -80,6 +81,7 @@ struct alignas(64) Track {
   std::array<float, kMaxRadars>
       detection_probability;               // by each radar, as this track has shown so far: radars fade apart
   std::array<double, kMaxRadars> updated;  // by each radar, TT12 and TT39; kNever
+  RatePrediction predicted_rate;           // with `predicted`
   HeightGuess height_guess;                // where radars at several sites are joined
   FixedPlace fixed;
   ReferencePlace reference;  // NR: eight scans ago

@@ -57,8 +57,9 @@ std::optional<TrackBook::Slot> TrackBook::create(std::size_t radar, const tws::P
     return std::nullopt;
   }
   Track& track = tracks_.at(*slot);
-  motion_.start(track, plot, radars_.quality(radar), radar);
-  judge_.started(track, radars_.quality(radar).falsePlotMap().perScanAsAt(plot.range, plot.azimuth));
+  const double by_rate = motion_.start(track, plot, radars_.quality(radar), radar);
+  const double false_plots = radars_.quality(radar).falsePlotMap().perScanAsAt(plot.range, plot.azimuth);
+  judge_.started(track, false_plots * std::exp(-by_rate));
   heights_.update(track.uid, plot);
   track.apart = plot.time;
   if (radars_.severalSites()) doubtOtherSites(track, radar);

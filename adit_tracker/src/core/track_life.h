@@ -13,10 +13,10 @@ class TrackJudge {
  public:
   explicit TrackJudge(const AditParams& params) : params_(params) {}
 
-  /// `false_plots`: expected a scan, if they came as densely everywhere as there.
+  /// `false_plots`: expected a scan, if they came as densely everywhere as there; of its range rate, fewer or more.
   void started(Track& track, double false_plots) const;
-  /// A detection with this log-likelihood [1/m²] was used, where false plots have this density [1/m²]. Returns true
-  /// when the track has just become firm.
+  /// A detection with this log-likelihood [1/m²], of its range rate against that of false plots, was used, where false
+  /// plots have this density [1/m²]. Returns true when the track has just become firm.
   bool updated(Track& track, std::size_t radar, double log_likelihood, double false_density,
                bool may_become_firm = true) const;
   /// The beam has passed at `time`, and what was found leaves the track this chance of existence; `missed` is the

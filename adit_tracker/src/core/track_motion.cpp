@@ -9,6 +9,9 @@
 namespace adit_tracker {
 namespace {
 
+// Hardly any manoeuvre stays hard for longer; without the limit a coasting track would take any other target's plots.
+constexpr double kLongestManoeuvre = 8.0;  // [s]
+
 double rangeOf(double x, double y) {
   return std::max(std::sqrt(x * x + y * y), 1.0);  // at the site itself rates have no meaning
 }
@@ -69,6 +72,25 @@ double updatePlace(FixedPlace& place, const tws::PlanarPosition& z) {
   return log_likelihood;
 }
 
+/// Log-likelihood of a range rate under "it does not move", against that of a false plot. What stands may drift, as
+/// rain does, or turn, as rotors do, and then show any rate.
+double standingRate(const tws::RangeRate& rate, double span) {
+  constexpr double kDrift = 10.0, kTurns = 0.1;  // standard deviation [m/s], share of what stands
+  const double variance = rate.sigma * rate.sigma + kDrift * kDrift, off = rate.difference(rate.value, 0.0);
+  const double drifts = span * std::exp(-0.5 * off * off / variance) / std::sqrt(tws::kTwoPi * variance);
+  return std::log((1.0 - kTurns) * drifts + kTurns);
+}
+
+/// What the rate that comes with a plot adds to log-likelihoods that are compared with those of false plots.
+double againstFalse(const tws::RangeRate& rate, const RadarQuality& quality) {
+  return rate.known() ? std::log(quality.rateSpan()) : 0.0;
+}
+
+/// The same of one that stands.
+double standingAgainstFalse(const tws::RangeRate& rate, const RadarQuality& quality) {
+  return rate.known() ? standingRate(rate, quality.rateSpan()) : 0.0;
+}
+
 /// Above the antenna [m]; NaN: the plot tells none.
 double heightOf(const tws::Plot& plot) { return tws::heightOf(0.0, std::sin(plot.elevation), plot.range); }
 
@@ -122,13 +144,25 @@ void TrackMotion::moveOrigin(Track& track, double dx, double dy) const {
   adit_tracker::moveOrigin(track.predicted.range, track.predicted.azimuth, dx, dy);
 }
 
-void TrackMotion::start(Track& track, const tws::Plot& plot, const RadarQuality& quality, std::size_t radar) const {
+/// A range rate as the radar of that index measures it of the track.
+tws::RangeRate TrackMotion::rateOf(const Track& track, double value, const RadarQuality& quality,
+                                   std::size_t radar) const {
+  tws::RangeRate rate = quality.rangeRate(value);
+  if (!joined_) return rate;
+  rate.x = frames_[radar].x;
+  rate.y = frames_[radar].y;
+  rate.squared_height = static_cast<double>(track.height_guess.squared);
+  rate.squared_height_variance = static_cast<double>(track.height_guess.variance);
+  return rate;
+}
+
+double TrackMotion::start(Track& track, const tws::Plot& plot, const RadarQuality& quality, std::size_t radar) const {
   track.first_time = track.last_update = plot.time;
   track.updates = 1;
   track.smoothed = fromPolar(plot.range, plot.azimuth, 0.0, 0.0, plot.time);
   if (params_.filter == FilterKind::kAlphaBeta) {
     track.filter = PolarFilter{alpha_beta_.start(plot.range), alpha_beta_.start(plot.azimuth)};
-    return;
+    return 0.0;
   }
   tws::PlanarPosition z =
       tws::planarMeasurement(plot.range, plot.azimuth, quality.rangeSigma(plot), quality.azimuthSigma(plot));
@@ -141,8 +175,16 @@ void TrackMotion::start(Track& track, const tws::Plot& plot, const RadarQuality&
     track.smoothed = fromPlanar(at_rest, plot.time);
   }
   if (hasVolumes()) enterVolume(track, heightOf(plot));
-  track.filter.emplace<tws::MultipleModelFilter>().start(z, turningOf(track));
+  auto& filter = track.filter.emplace<tws::MultipleModelFilter>();
+  filter.start(z, turningOf(track));
   track.fixed = {z.x, z.y, z.covariance, 0.0};
+  const tws::RangeRate rate = rateOf(track, plot.range_rate, quality, radar);
+  if (!rate.known()) return 0.0;
+  constexpr double kLeast = -7.0;  // A thousandth: the speeds of targets are not that well known.
+  const double log_ratio = std::max(kLeast, filter.correctBy(rate) + againstFalse(rate, quality));
+  track.fixed.moving_evidence = log_ratio - standingAgainstFalse(rate, quality);
+  track.smoothed = fromPlanar(filter.mean(), plot.time);
+  return log_ratio;
 }
 
 void TrackMotion::learnSpeed(const Track& track) {
@@ -208,10 +250,13 @@ void TrackMotion::update(Track& track, const std::vector<PlotChance>& plots, dou
     auto z = tws::planarMeasurement(plot.range, plot.azimuth, quality.rangeSigma(plot), quality.azimuthSigma(plot));
     z.x -= (plot.time - time) * k.vx;
     z.y -= (plot.time - time) * k.vy;
-    measurements.push_back({z, p.chance});
+    const tws::RangeRate rate = quality.rangeRate(plot.range_rate);
+    measurements.push_back({z, p.chance, rate});
     if (!track.firm && p.chance > 0.5) {
       tws::MultipleModelFilter copy = filter;
-      track.fixed.moving_evidence += p.chance * (copy.update(z, dt, turningOf(track)) - updatePlace(track.fixed, z));
+      const double moving = copy.update(z, rate, dt, turningOf(track)) + againstFalse(rate, quality);
+      const double standing = updatePlace(track.fixed, z) + standingAgainstFalse(rate, quality);
+      track.fixed.moving_evidence += p.chance * (moving - standing);
     }
   }
   filter.update(measurements, missed, dt, turningOf(track));
@@ -236,8 +281,10 @@ double TrackMotion::updateTurning(Track& track, const tws::Plot& plot, const Rad
   const double dt = std::max(0.0, plot.time - track.smoothed.time);
   const tws::PlanarPosition z =
       tws::planarMeasurement(plot.range, plot.azimuth, quality.rangeSigma(plot), quality.azimuthSigma(plot));
-  const double log_likelihood = filter.update(z, dt, turningOf(track));
-  if (!track.firm) track.fixed.moving_evidence += log_likelihood - updatePlace(track.fixed, z);
+  const tws::RangeRate rate = quality.rangeRate(plot.range_rate);
+  const double log_likelihood = filter.update(z, rate, dt, turningOf(track)) + againstFalse(rate, quality);
+  if (!track.firm)
+    track.fixed.moving_evidence += log_likelihood - updatePlace(track.fixed, z) - standingAgainstFalse(rate, quality);
   track.smoothed = fromPlanar(filter.mean(), track.smoothed.time + dt);
   return log_likelihood;
 }
@@ -252,8 +299,12 @@ double TrackMotion::updateJoined(Track& track, const tws::Plot& plot, const Rada
   shift(track, guess.flatten(plot.range));
   const GuessedPlace z = guess.placeOf(plot, quality.rangeSigma(plot), quality.azimuthSigma(plot), frames_[radar]);
   const tws::PlanarPosition wider = guess.against(z), predicted = filter.predictPosition(dt, turningOf(track));
-  const double log_likelihood = filter.update(wider, dt, turningOf(track));
-  if (!track.firm) track.fixed.moving_evidence += log_likelihood - updatePlace(track.fixed, wider);
+  const tws::RangeRate rate = rateOf(track, plot.range_rate, quality, radar);
+  const double log_likelihood = filter.update(wider, rate, dt, turningOf(track)) + againstFalse(rate, quality);
+  if (!track.firm) {
+    track.fixed.moving_evidence +=
+        log_likelihood - updatePlace(track.fixed, wider) - standingAgainstFalse(rate, quality);
+  }
   shift(track, guess.learn(z, predicted, turningOf(track).assumed_height));
   track.smoothed = fromPlanar(filter.mean(), track.smoothed.time + dt);
   return log_likelihood;
@@ -330,13 +381,34 @@ void TrackMotion::predict(Track& track, std::size_t radar, double time, const Ra
   const double cross = p.range * p.range * quality.azimuthSigma() * quality.azimuthSigma();
   p.innovation.xx += along;
   p.innovation.yy += cross;
-  // Hardly any manoeuvre stays hard for longer; without the limit a coasting track would take any other target's plots.
-  constexpr double kLongestManoeuvre = 8.0;  // [s]
   const double manoeuvre = tws::MultipleModelFilter::manoeuvreSigma(std::min(dt, kLongestManoeuvre), turningOf(track));
   p.manoeuvre = manoeuvre * manoeuvre;
   p.log_volume = std::log(p.innovation.determinant() / (along * cross));
   const bool blind = params_.coverage.longest_gap > 0.0 && quality.coverage().isBlind(p.range, p.azimuth);
   p.cover = blind ? kCoverWhereBlind : 1.0F;
+  track.predicted_rate.variance = 0.0F;
+  if (quality.measuresRates()) predictRate(track, dt, quality);
+}
+
+/// The range rate that goes with the prediction, dt [s] after the latest update.
+void TrackMotion::predictRate(Track& track, double dt, const RadarQuality& quality) const {
+  const tws::PlanarMotion there = std::get<tws::MultipleModelFilter>(track.filter).predict(dt, turningOf(track));
+  const tws::RangeRate radar = rateOf(track, tws::Plot::kUnknown, quality, track.predicted.radar);
+  const tws::RangeRatePrediction rate = tws::predictRangeRate(there, radar);
+  const double variance = rate.variance + radar.sigma * radar.sigma;
+  RatePrediction& p = track.predicted_rate;
+  if (!tws::tellsFold(variance, radar)) return;
+  const double east = there.x - radar.x, north = there.y - radar.y, ground = rangeOf(east, north);
+  const double flatter = std::max(ground / track.predicted.range, 0.5);
+  const double s = east / ground, c = north / ground;
+  p.value = static_cast<float>(rate.value);
+  p.manoeuvre = static_cast<float>(turningOf(track).manoeuvre_acceleration * std::min(dt, kLongestManoeuvre));
+  // One Gaussian stands for all models: what few of them foresee is to stay within its reach.
+  constexpr double kTail = 0.1;
+  const double tail = kTail * static_cast<double>(p.manoeuvre);
+  p.variance = static_cast<float>(variance + tail * tail);
+  p.with_range = static_cast<float>((rate.to_position[0] * s + rate.to_position[1] * c) * flatter);
+  p.with_cross = static_cast<float>((rate.to_position[0] * c - rate.to_position[1] * s) / flatter);
 }
 
 /// The place in the predicted radar's slant range and azimuth, with the covariance of the innovation but for the

@@ -54,13 +54,15 @@ class TrackMotion {
   /// The origin of the plane moves [m], the track does not. Needs the turning filter.
   void moveOrigin(Track& track, double dx, double dy) const;
 
-  /// The track's first detection: at rest, where the plot is (section "Track Initiation").
-  void start(Track& track, const tws::Plot& plot, const RadarQuality& quality, std::size_t radar = 0) const;
+  /// The track's first detection: where the plot is, at rest (section "Track Initiation") or with the range rate that
+  /// it tells. Returns the logarithm of how much likelier that rate is of a target than of a false plot; 0 without one.
+  double start(Track& track, const tws::Plot& plot, const RadarQuality& quality, std::size_t radar = 0) const;
 
   /// Learns from a track that has become firm how fast targets are, for those that start from now on.
   void learnSpeed(const Track& track);
 
-  /// Corrects by a detection. Returns the natural logarithm of its likelihood [1/m²]; 0 with the α-β filter.
+  /// Corrects by a detection. Returns the natural logarithm of its likelihood [1/m²]; 0 with the α-β filter. Of its
+  /// range rate, how much likelier it is than that of a false plot counts.
   double update(Track& track, const tws::Plot& plot, const RadarQuality& quality, std::size_t radar = 0) const;
 
   /// Corrects by one of several detections or none, nobody knows which, as of `time`, at which the beam met the track.
@@ -87,6 +89,8 @@ class TrackMotion {
  private:
   const tws::MultipleModelParams& turningOf(const Track& track) const { return params_.in(track.volume).turning; }
   void updatePolar(Track& track, const tws::Plot& plot) const;
+  tws::RangeRate rateOf(const Track& track, double value, const RadarQuality& quality, std::size_t radar) const;
+  void predictRate(Track& track, double dt, const RadarQuality& quality) const;
   double updateTurning(Track& track, const tws::Plot& plot, const RadarQuality& quality) const;
   double updateJoined(Track& track, const tws::Plot& plot, const RadarQuality& quality, std::size_t radar) const;
   void predictJoined(Track& track, const tws::PlanarPosition& there, const RadarQuality& quality) const;

@@ -17,6 +17,7 @@ namespace {
 constexpr std::size_t kMostComplaints = 10;
 constexpr double kLongestPause = 600.0;           // within a stretch of plots [s]
 constexpr std::size_t kFewestPlots = 3;           // of a stretch: fewer make no track
+constexpr double kFastest = 1e5;                  // of range rates [m/s]
 constexpr double kFarthestAway = 30.0 * 86400.0;  // from the longest stretch [s]
 
 /// Where the columns are; those that need not be there are columns() of the table when they are not.
@@ -27,13 +28,21 @@ struct Columns {
         range(table.require("range_m")),
         azimuth(table.require("az_deg")),
         elevation(table.find("el_deg")),
-        elevation_sigma(table.find("el_sigma_deg")) {}
-  std::size_t time, radar, range, azimuth, elevation, elevation_sigma;
+        elevation_sigma(table.find("el_sigma_deg")),
+        range_rate(table.find("range_rate_mps")) {}
+  std::size_t time, radar, range, azimuth, elevation, elevation_sigma, range_rate;
 };
 
 /// NaN when it is not there. Throws the reason.
 double angleBetween(const tws::CsvTable& table, std::size_t column, const char* name, double least, double greatest) {
   return angleOf(table, column, name, table.numberOrUnknown(column), least, greatest);
+}
+
+/// [m/s]; NaN when it is not there. Throws the reason.
+double rateOf(const tws::CsvTable& table, std::size_t column) {
+  const double rate = table.numberOrUnknown(column);
+  if (std::abs(rate) > kFastest) table.fail("range_rate_mps is not in [-100000, 100000]: " + table.text(column));
+  return rate;
 }
 
 tws::Plot plotOf(const tws::CsvTable& table, const Columns& columns) {
@@ -45,6 +54,7 @@ tws::Plot plotOf(const tws::CsvTable& table, const Columns& columns) {
   if (table.text(columns.radar).empty()) table.fail("radar is empty");
   plot.elevation = angleBetween(table, columns.elevation, "el_deg", -90.0, 90.0);
   plot.elevation_sigma = angleBetween(table, columns.elevation_sigma, "el_sigma_deg", 0.0, 90.0);
+  plot.range_rate = rateOf(table, columns.range_rate);
   return plot;
 }
 
@@ -73,6 +83,7 @@ class Reader {
  public:
   Reader(std::istream& input, std::string name) : name_(std::move(name)), csv_(input, name_), columns_(csv_) {
     table_.has_elevations = columns_.elevation < csv_.columns();
+    table_.has_range_rates = columns_.range_rate < csv_.columns();
   }
 
   void read() {

@@ -57,6 +57,20 @@ TEST(PlotCsv, ReadsElevationsWhereTheHeaderNamesThem) {
   EXPECT_FALSE(read(std::string(kHeader) + "1,a,0,1000,10\n").has_elevations);
 }
 
+TEST(PlotCsv, ReadsRangeRatesWhereTheHeaderNamesThem) {
+  const PlotTable table = read(
+      "t_s,radar,range_m,az_deg,range_rate_mps\n1,a,1000,10,-33.5\n2,a,1000,10,\n3,a,1000,10,nan\n4,a,1000,10\n"
+      "5,a,1000,10,2e5\n6,a,1000,10,fast\n7,a,1000,10,inf\n");
+  EXPECT_TRUE(table.has_range_rates);
+  const auto& plots = table.radars.at("a");
+  ASSERT_EQ(plots.size(), 4U);
+  EXPECT_DOUBLE_EQ(plots[0].range_rate, -33.5);
+  for (std::size_t i = 1; i < 4; ++i) EXPECT_TRUE(std::isnan(plots[i].range_rate));
+  ASSERT_EQ(table.complaints.size(), 3U);
+  EXPECT_EQ(table.complaints[0], "plots.csv:6: range_rate_mps is not in [-100000, 100000]: 2e5");
+  EXPECT_FALSE(read(std::string(kHeader) + "1,a,0,1000,10\n").has_range_rates);
+}
+
 struct BadLine {
   const char* line;
   const char* reason;

@@ -46,7 +46,9 @@ class SeenAngels : public Clutter {
     for (std::size_t slot = 0; slot < birds_.size(); ++slot) {
       const Bird& bird = alive(slot, spoke.time);
       const Eigen::Vector2d place = bird.place + bird.velocity * (spoke.time - bird.born);
-      view_.raise({{place.x(), place.y(), bird.height}, bird.rcs / angels_.suppression, 0.0}, slot, spoke, echoes);
+      const Motion motion{{bird.velocity.x(), bird.velocity.y(), 0.0}};
+      view_.raise({{place.x(), place.y(), bird.height}, bird.rcs / angels_.suppression, 0.0, motion}, slot, spoke,
+                  echoes);
     }
   }
 

@@ -33,7 +33,8 @@ RadarParams withoutMirror(RadarParams radar) {
 }
 
 CellClutter::CellClutter(const ClutterView& view, const std::string& stream, CellModel model)
-    : stream_(view.params.name + "/" + stream),
+    : radar_(view.params),
+      stream_(view.params.name + "/" + stream),
       seed_(view.seed),
       site_to_map_(view.map_to_site.inverse()),
       model_(std::move(model)),
@@ -69,8 +70,16 @@ double CellClutter::meanCnr(const Cell& cell, std::size_t bin) const {
   return cnr < kLeastCnr ? 0.0 : cnr;
 }
 
+double CellClutter::rangeRateOf(const Echo& echo, RandomStream& random) const {
+  if (!model_.motion) return drawFalseRangeRate(radar_, random);
+  const Eigen::Vector3d direction(std::sin(echo.azimuth), std::cos(echo.azimuth), 0.0);
+  const double rate = radialVelocity(site_to_map_.inverse(), *model_.motion, direction);
+  return drawRangeRate(radar_, rate, model_.motion->spread, random);
+}
+
 void CellClutter::raise(const Spoke& spoke, std::vector<Echo>& echoes) {
   RandomStream random(seed_, stream_, static_cast<std::uint64_t>(spoke.running));
+  RandomStream rates(seed_, stream_ + "/range rate", static_cast<std::uint64_t>(spoke.running));
   for (std::size_t bin = 0; bin < profile_.size(); ++bin) {
     const double cnr = meanCnr(cellOf(spoke, bin), bin);
     if (cnr <= 0.0) continue;
@@ -78,7 +87,9 @@ void CellClutter::raise(const Spoke& spoke, std::vector<Echo>& echoes) {
     const double steady = cnr * model_.steady_share;
     const double noisy = cnr - steady + 1.0;
     const double power = noisy * addNoise(steady / noisy, random);
-    if (power >= threshold_) echoes.push_back(echoIn(spoke, bin, power, random));
+    if (power < threshold_) continue;
+    echoes.push_back(echoIn(spoke, bin, power, random));
+    if (radar_.measuresRangeRates()) echoes.back().range_rate = rangeRateOf(echoes.back(), rates);
   }
 }
 

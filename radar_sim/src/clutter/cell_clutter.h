@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -8,6 +9,7 @@
 #include "clutter/clutter.h"
 #include "clutter/texture.h"
 #include "random_stream.h"
+#include "range_rates.h"
 
 namespace radar_sim {
 
@@ -31,6 +33,8 @@ struct CellModel {
   /// Share of a cell's power that does not fluctuate from scan to scan, 0 .. 1: amplitudes are Rician (0: Rayleigh),
   /// and plots stay at the cell's own place by the same share.
   double steady_share = 0.0;
+  /// What range rates show; nothing: it is noise.
+  std::optional<Motion> motion = Motion{};
 };
 
 /// Cells whose clutter is below this part of the noise have none: what crosses there are the false alarms of noise.
@@ -50,6 +54,9 @@ class CellClutter : public Clutter {
   double meanCnr(const Cell& cell, std::size_t bin) const;
   Echo echoIn(const Spoke& spoke, std::size_t bin, double power, RandomStream& random) const;
 
+  double rangeRateOf(const Echo& echo, RandomStream& random) const;
+
+  RadarParams radar_;
   std::string stream_;
   std::uint64_t seed_;
   Eigen::Isometry3d site_to_map_;

@@ -45,6 +45,7 @@ std::unique_ptr<Clutter> Jammer::seenBy(const ClutterView& view) const {
     return jammerToNoise(view.params, jammer, polar.range) *
            azimuthGain(off_beam, view.params.azimuth_beamwidth, jammer.side_lobes) / jammer.suppression;
   };
+  model.motion.reset();
   return std::make_unique<CellClutter>(view, name, std::move(model));
 }
 

@@ -6,6 +6,11 @@
 #include "radar_equation.h"
 
 namespace radar_sim {
+namespace {
+
+constexpr double kLandSpread = 0.3;  // of radial velocities, by trees in the wind [m/s]
+
+}  // namespace
 
 std::unique_ptr<Clutter> LandClutter::seenBy(const ClutterView& view) const {
   CellModel model = fieldWithin(area, Texture(texture, view.seed, name), steady_share);
@@ -14,6 +19,7 @@ std::unique_ptr<Clutter> LandClutter::seenBy(const ClutterView& view) const {
     return meanSnr(radar, land.gamma * sineOfGrazing(radar, range) * surfaceCell(radar, range), range, height) /
            land.suppression;
   };
+  model.motion = Motion{{0.0, 0.0, 0.0}, kLandSpread};
   return std::make_unique<CellClutter>(view, name, std::move(model));
 }
 

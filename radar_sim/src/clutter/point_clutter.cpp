@@ -19,7 +19,8 @@ PointView::PointView(const ClutterView& view, const std::string& stream)
     : params_(view.params),
       map_to_site_(view.map_to_site),
       seed_(view.seed),
-      stream_(RandomStream::hash(view.params.name + "/" + stream)) {}
+      stream_(RandomStream::hash(view.params.name + "/" + stream)),
+      rate_stream_(RandomStream::hash(view.params.name + "/" + stream + "/range rate")) {}
 
 void PointView::raise(const ClutterPoint& point, std::size_t number, const Spoke& spoke,
                       std::vector<Echo>& echoes) const {
@@ -38,6 +39,12 @@ void PointView::raise(const ClutterPoint& point, std::size_t number, const Spoke
   echo.azimuth_error =
       std::hypot(noiseSigma(params_, params_.azimuth_sigma, beam, power - 1.0), point.jitter / polar.range) *
       normal(random);
+  if (params_.measuresRangeRates()) {
+    RandomStream rates(seed_, rate_stream_ + number * kStreamStep, static_cast<std::uint64_t>(spoke.running));
+    const Eigen::Vector3d direction = (map_to_site_ * point.position).normalized();
+    echo.range_rate =
+        drawRangeRate(params_, radialVelocity(map_to_site_, point.motion, direction), point.motion.spread, rates);
+  }
   echoes.push_back(echo);
 }
 

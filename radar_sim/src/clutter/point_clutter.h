@@ -4,6 +4,7 @@
 
 #include "clutter/clutter.h"
 #include "random_stream.h"
+#include "range_rates.h"
 
 namespace radar_sim {
 
@@ -12,6 +13,7 @@ struct ClutterPoint {
   Eigen::Vector3d position;  ///< In the map frame, at height above the sea there [m].
   double rcs;                ///< Mean, behind suppression [m²]; Swerling 1.
   double jitter;             ///< Its echo's centre wanders so far, standard deviation in range and across [m].
+  Motion motion = {};
 };
 
 /// How one radar sees such objects.
@@ -28,7 +30,7 @@ class PointView {
   RadarParams params_;
   Eigen::Isometry3d map_to_site_;
   std::uint64_t seed_;
-  std::uint64_t stream_;
+  std::uint64_t stream_, rate_stream_;
 };
 
 }  // namespace radar_sim

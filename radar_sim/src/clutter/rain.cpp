@@ -11,6 +11,7 @@ namespace {
 constexpr double kExponent = 1.6;  // of the rate, in Z
 constexpr double kFaintest = 6.9;  // -ln of the part of the rate at which the rain ends: a thousandth
 constexpr int kLayers = 10;
+constexpr double kRainSpread = 2.0;  // of radial velocities in a cell, by turbulence and shear [m/s]
 
 /// Clutter-to-noise ratio of one resolution cell full of rain of 1 mm/h, layer by layer from the sea to the top.
 double cnrOfOneMillimetre(const RadarParams& radar, double range, double top) {
@@ -45,6 +46,7 @@ std::unique_ptr<Clutter> Rain::seenBy(const ClutterView& view) const {
     if (fall > kFaintest) return 0.0;
     return std::pow(rain.rate / kMillimetrePerHour * std::exp(-fall), kExponent) * field.at(from_middle, cell.time);
   };
+  model.motion = Motion{{velocity.x(), velocity.y(), 0.0}, kRainSpread};
   return std::make_unique<CellClutter>(view, name, std::move(model));
 }
 

@@ -25,6 +25,11 @@ double seaReflectivity(double wavelength, double sea_state, double grazing) {
   return std::pow(10.0, decibels / 10.0);
 }
 
+double driftOfSea(double sea_state) {
+  constexpr double kWind = 3.16, kExponent = 0.8, kShare = 0.2;  // wind [m/s] of sea state 1; scatterers' part of it
+  return kShare * kWind * std::pow(sea_state, kExponent);
+}
+
 double upwindFactor(double wavelength, double grazing, double from_upwind) {
   return std::exp(0.2 * std::cos(from_upwind) * (1.0 - 2.8 * grazing) * std::pow(wavelength + 0.015, -0.4));
 }
@@ -43,6 +48,8 @@ std::unique_ptr<Clutter> SeaClutter::seenBy(const ClutterView& view) const {
     return upwindFactor(radar.wavelength, grazingAngle(radar, cell.range), cell.azimuth - sea.wind_from) *
            field.at(cell.place, cell.time);
   };
+  const double drift = driftOfSea(sea_state);
+  model.motion = Motion{{-drift * std::sin(wind_from), -drift * std::cos(wind_from), 0.0}, 0.5 * drift};
   return std::make_unique<CellClutter>(view, name, std::move(model));
 }
 

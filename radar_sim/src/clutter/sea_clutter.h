@@ -20,6 +20,10 @@ struct SeaClutter : ClutterSpec {
 /// to 60° (below, it is continued). `grazing` > 0 [rad].
 double seaReflectivity(double wavelength, double sea_state, double grazing);
 
+/// How fast the scatterers of the sea move before the wind [m/s]: a fifth of its speed, of which the sea state is the
+/// measure, 3.16 s^0.8 m/s (Nathanson, Radar Design Principles, 2nd ed., chapter 7, both rounded).
+double driftOfSea(double sea_state);
+
 /// Power ratio by which it is stronger looking so far away from upwind [rad]: exp(0.2 cos φ (1 - 2.8 ψ) (λ +
 /// 0.015)^-0.4) (Horst, Dyer and Tuley, "Radar sea clutter model", IEE conference publication 169, 1978).
 double upwindFactor(double wavelength, double grazing, double from_upwind);

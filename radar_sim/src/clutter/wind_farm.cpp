@@ -37,9 +37,12 @@ class SeenFarm : public Clutter {
   void raise(const Spoke& spoke, std::vector<Echo>& echoes) override {
     for (std::size_t i = 0; i < turbines_.size(); ++i) {
       const Turbine& turbine = turbines_[i];
-      const double rcs = (farm_.rcs + (flashes(turbine, spoke) ? farm_.flash_rcs : 0.0)) / farm_.suppression;
+      const bool flash = flashes(turbine, spoke);
+      const double rcs = (farm_.rcs + (flash ? farm_.flash_rcs : 0.0)) / farm_.suppression;
+      // A blade that flashes shows all rates up to its tip's, either way.
+      const Motion motion{{0.0, 0.0, 0.0}, flash ? farm_.blade * turbine.rate / std::sqrt(3.0) : 0.0};
       const Eigen::Vector3d position(turbine.place.x(), turbine.place.y(), farm_.hub_height);
-      view_.raise({position, rcs, farm_.blade / 2.0}, i, spoke, echoes);
+      view_.raise({position, rcs, farm_.blade / 2.0, motion}, i, spoke, echoes);
     }
   }
 
