@@ -28,6 +28,36 @@ TEST(Antenna, StartsInsideASector) {
   EXPECT_NEAR(antenna.entryTime(64), 1000.0 + 8.0 * 260.0 / 360.0, 1e-9);
 }
 
+AzimuthErrors biased(double bias_deg) {
+  AzimuthErrors errors;
+  errors.bias = tws::radians(bias_deg);
+  return errors;
+}
+
+// What the gear takes for north is half a sector (2.8125°, at 60 °/s 46.875 ms) before or behind it. With a mark at
+// true north a tracker would take plots for those of the wrong sector, or find no bias where there is one.
+TEST(Antenna, EntersItsSectorsByTheNorthThatItMeasures) {
+  const Antenna ahead(6.0, 0.0, 1000.0, biased(2.8125));
+  EXPECT_EQ(ahead.firstSector(), 0);
+  EXPECT_NEAR(ahead.entryTime(1), 1000.046875, 1e-9);
+  EXPECT_NEAR(ahead.entryTime(64), 1006.0 - 0.046875, 1e-9);
+  const Antenna behind(6.0, 0.0, 1000.0, biased(-2.8125));
+  EXPECT_EQ(behind.firstSector(), 63);
+  EXPECT_EQ(behind.entryTime(63), 1000.0);
+  EXPECT_NEAR(behind.entryTime(64), 1000.046875, 1e-9);
+  EXPECT_NEAR(behind.measuredAngleAt(1000.0), tws::radians(357.1875), 1e-9);
+}
+
+// By hand: θ + 1° sin θ = 90° at 89.00015°; with 36 °/h, 0.01 °/s, a revolution is over after 360 / 60.01 s.
+TEST(Antenna, EntersItsSectorsByAnEccentricCircleAndADriftingNorth) {
+  AzimuthErrors eccentric;
+  eccentric.eccentricity = tws::radians(1.0);
+  EXPECT_NEAR(Antenna(6.0, 0.0, 1000.0, eccentric).entryTime(16), 1000.0 + 89.00015 / 60.0, 1e-6);
+  AzimuthErrors drifting;
+  drifting.north_drift = tws::radians(36.0) / 3600.0;
+  EXPECT_NEAR(Antenna(6.0, 0.0, 1000.0, drifting).entryTime(64), 1000.0 + 360.0 / 60.01, 1e-9);
+}
+
 // An aircraft of 300 m/s moves 1.8 km in a turn: plots at the wrong instant would lie hundreds of metres off. Brute
 // force: walk in steps of 10 us until the beam has passed the target, which bounds the answer to that step.
 TEST(BeamCrossing, AgreesWithBruteForceForMovingTargets) {

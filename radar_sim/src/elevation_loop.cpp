@@ -28,13 +28,13 @@ ElevationLoop::ElevationLoop(SensorPort& port, RotatingRadar& radar)
 }
 
 bool ElevationLoop::isReady() const {
-  return !radar_.isNorthNext() || loop_.isReady(tws_runtime::toTime(radar_.nextMark()));
+  return !radar_.isNorthNext() || loop_.isReady(tws_runtime::toTime(radar_.nextStamp()));
 }
 
 void ElevationLoop::stopWaiting() {
   if (isReady()) return;
   bus_.counter("commands late")
-      .add("at " + std::to_string(radar_.nextMark()) + " s " + radar_.params().name +
+      .add("at " + std::to_string(radar_.nextStamp()) + " s " + radar_.params().name +
            " did not get elevation requests on " + topic_ +
            " in time and continues without searches until they come: is the tracker up?");
   loop_.stopWaiting();
@@ -43,8 +43,8 @@ void ElevationLoop::stopWaiting() {
 void ElevationLoop::applyCommands() {
   if (!radar_.isNorthNext()) return;
   // A list that is a scan late is still of use; one from before an outage leads nowhere.
-  const double oldest = radar_.nextMark() - 2.0 * radar_.params().rotation_period;
-  for (const Command& command : loop_.takeDue(tws_runtime::toTime(radar_.nextMark()))) {
+  const double oldest = radar_.nextStamp() - 2.0 * radar_.params().rotation_period;
+  for (const Command& command : loop_.takeDue(tws_runtime::toTime(radar_.nextStamp()))) {
     const std::size_t taken = command.time > oldest ? radar_.setElevationSearches(command.orders) : 0;
     if (taken < command.orders.size())
       refuse(command.orders.size() - taken, "more than " + radar_.params().name + " can make, or too old");

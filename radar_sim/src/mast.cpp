@@ -8,8 +8,12 @@
 
 namespace radar_sim {
 
-Mast::Mast(double period, double start_azimuth, double time_lsb, double start_time)
-    : antenna_(period, start_azimuth, start_time), time_lsb_(time_lsb), next_sector_(antenna_.firstSector()) {}
+Mast::Mast(double period, double start_azimuth, double time_lsb, double start_time, const RegistrationErrors& errors)
+    : antenna_(period, start_azimuth, start_time, errors.azimuth),
+      time_lsb_(time_lsb),
+      start_time_(start_time),
+      clock_(errors.clock),
+      next_sector_(antenna_.firstSector()) {}
 
 SectorSpan Mast::closeSector() {
   const std::int64_t running = next_sector_++;
@@ -28,7 +32,7 @@ double Mast::rotationPeriod(std::int64_t running_sector) const {
 
 // The clock is a counter: it tells the last tick gone by. A millionth of a tick keeps ticks themselves from rounding
 // down.
-double Mast::clockTime(double time) const {
+double Mast::ticked(double time) const {
   return time_lsb_ > 0.0 ? std::floor(time / time_lsb_ + 1e-6) * time_lsb_ : time;
 }
 

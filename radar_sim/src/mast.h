@@ -17,12 +17,15 @@ struct SectorSpan {
 class Mast {
  public:
   /// As Antenna; `time_lsb` >= 0 is the clock's tick [s], 0: it does not tick.
-  Mast(double period, double start_azimuth, double time_lsb, double start_time);
+  Mast(double period, double start_azimuth, double time_lsb, double start_time, const RegistrationErrors& errors = {});
 
   const Antenna& antenna() const { return antenna_; }
   /// Of the sector that closeSector() returns next.
   std::int64_t nextSector() const { return next_sector_; }
-  double nextMark() const { return markTime(next_sector_ + 1); }
+  /// When that one's mark comes, to the tick [s of data time].
+  double nextMark() const { return ticked(antenna_.entryTime(next_sector_ + 1)); }
+  /// The same as the clock tells it.
+  double nextStamp() const { return markTime(next_sector_ + 1); }
   SectorSpan closeSector();
 
   /// What the clock tells at `time`, kept within the sector and before its mark.
@@ -31,11 +34,13 @@ class Mast {
   double rotationPeriod(std::int64_t running_sector) const;
 
  private:
-  double clockTime(double time) const;
+  double ticked(double time) const;
+  double clockTime(double time) const { return ticked(time + clock_.at(time - start_time_)); }
   double markTime(std::int64_t running_sector) const { return clockTime(antenna_.entryTime(running_sector)); }
 
   Antenna antenna_;
-  double time_lsb_;
+  double time_lsb_, start_time_;
+  ClockErrors clock_;
   std::int64_t next_sector_;
 };
 

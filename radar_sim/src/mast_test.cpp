@@ -28,6 +28,20 @@ TEST(Mast, WithoutTicksTellsTheTimeItself) {
   EXPECT_EQ(mast.stampWithin(sector, 1000.0501), 1000.0501);
 }
 
+// A second fast by 100 millionths: all stamps are of that clock; when things happen is not changed by it.
+TEST(Mast, StampsByItsClock) {
+  RegistrationErrors errors;
+  errors.clock = {1.0, 1e-4};
+  Mast mast(6.0, 0.0, 0.0, kRunStart, errors);
+  EXPECT_NEAR(mast.nextMark(), 1000.09375, 1e-9);
+  EXPECT_NEAR(mast.nextStamp(), 1001.093759375, 1e-9);
+  const SectorSpan sector = mast.closeSector();
+  EXPECT_NEAR(sector.enter_time, 1001.0, 1e-9);
+  EXPECT_NEAR(sector.leave_time, 1001.093759375, 1e-9);
+  EXPECT_NEAR(mast.stampWithin(sector, 1000.05), 1001.050005, 1e-9);
+  EXPECT_NEAR(mast.rotationPeriod(65), 6.0006, 1e-9);
+}
+
 TEST(Mast, KnowsItsPeriodFromTheFirstFullTurnOn) {
   const Mast mast(4.0, 0.0, 0.008, kRunStart);
   EXPECT_TRUE(std::isnan(mast.rotationPeriod(64)));

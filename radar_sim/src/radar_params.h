@@ -7,6 +7,8 @@
 #include <tws_core/quantisation.h>
 #include <tws_core/units.h>
 
+#include "registration_errors.h"
+
 namespace radar_sim {
 
 /// One elevation beam of a rotating antenna.
@@ -69,6 +71,8 @@ struct RadarParams {
   double range_lsb = tws::kRangeLsb;         ///< [m]; 0: not quantised.
   double azimuth_lsb = tws::kAzimuthLsb;     ///< [rad]; 0: not quantised.
   double time_lsb = tws::kTimeLsb;           ///< Clock tick for plots and marks [s]; 0: not quantised.
+
+  RegistrationErrors errors;
 
   // False alarms.
   double false_alarms_per_scan = 20.0;  ///< Poisson mean.

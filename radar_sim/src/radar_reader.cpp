@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "radar_presets.h"
+#include "registration_reader.h"
 
 namespace radar_sim {
 namespace {
@@ -97,7 +98,7 @@ void readRadarName(ParameterReader& reader, std::string& name) {
   if (name == "map") reader.fail("name", "'map' is the frame of the whole scenario");
 }
 
-RadarParams readRadar(ParameterReader& reader) {
+RadarParams readRadar(ParameterReader& reader, double start_time) {
   std::string type = "generic";
   reader.choice("type", type, radarTypes());
   RadarParams radar = radarPreset(type);
@@ -106,6 +107,9 @@ RadarParams readRadar(ParameterReader& reader) {
   readAntenna(reader, radar);
   readRadarEquation(reader, radar);
   readMeasurement(reader, radar);
+  readRangeErrors(reader, radar.errors);
+  readAzimuthBias(reader, radar.errors.azimuth.bias);
+  readMastErrors(reader, radar.errors, start_time);
   readElevationSearch(reader, radar.elevation_search);
   reader.done();
   return radar;

@@ -36,13 +36,14 @@ RotatingRadar::RotatingRadar(RadarParams params, const Eigen::Isometry3d& map_to
                              double start_time)
     : params_(std::move(params)),
       map_to_site_(map_to_site),
+      map_to_antenna_(params_.errors.toAntenna(map_to_site)),
       targets_(targets),
       faults_(std::move(faults)),
       seed_(seed),
-      mast_(params_.rotation_period, params_.start_azimuth, params_.time_lsb, start_time),
+      mast_(params_.rotation_period, params_.start_azimuth, params_.time_lsb, start_time, params_.errors),
       crossings_(
           mast_.antenna(), targets,
-          [this](std::size_t target, double time) { return polarOf(targets_[target], time).azimuth; }, start_time),
+          [this](std::size_t target, double time) { return polarAtAntenna(target, time).azimuth; }, start_time),
       elevation_searches_(params_),
       clutter_(mast_.antenna(), params_.azimuth_beamwidth, start_time),
       next_false_alarm_sector_(mast_.nextSector()) {
@@ -73,6 +74,10 @@ double RotatingRadar::rangeRateOf(const Target& target, double time) const {
   return radialVelocity(map_to_site_, {state.velocity}, (map_to_site_ * state.position).normalized());
 }
 
+tws::Polar RotatingRadar::polarAtAntenna(std::size_t target, double time) const {
+  return tws::polarFromEnu(map_to_antenna_ * targets_[target].trajectory->at(time).position);
+}
+
 double RotatingRadar::detectionProbability(std::size_t target, double time) const {
   const Target& it = targets_[target];
   if (isBlindAt(time) || !it.trajectory->existsAt(time)) return 0.0;
@@ -94,7 +99,7 @@ void RotatingRadar::illuminateTargets(double until) {
 
 void RotatingRadar::illuminate(std::size_t target, double time) {
   const Target& it = targets_[target];
-  const tws::Polar polar = polarOf(it, time);
+  const tws::Polar polar = polarAtAntenna(target, time);
   if (isBlindAt(time) || !isInstrumented(polar.range)) return;
   const double turns = (antenna().angleAt(time) - polar.azimuth) / tws::kTwoPi;
   RandomStream random(seed_, target_streams_[target], static_cast<std::uint64_t>(std::lround(turns)));
@@ -102,7 +107,8 @@ void RotatingRadar::illuminate(std::size_t target, double time) {
   const auto look = lookInElevation(target, time, polar);
   const bool is_detected = power >= -std::log(params_.false_alarm_probability);
   if (!is_detected && !look) return;
-  Echo echo{time, polar.range, polar.azimuth, is_detected ? power : look->power};
+  const double delay = params_.errors.delayOf(params_.antenna_height, it.trajectory->at(time).height, polar.range);
+  Echo echo{time, polar.range + delay, polar.azimuth, is_detected ? power : look->power};
   const double snr = echo.power - 1.0;
   if (look) {
     echo.elevation = look->elevation;
@@ -122,7 +128,8 @@ void RotatingRadar::illuminate(std::size_t target, double time) {
 std::optional<ElevationLook> RotatingRadar::lookInElevation(std::size_t target, double time,
                                                             const tws::Polar& polar) const {
   const double angle = antenna().angleAt(time);
-  const double gain = elevation_searches_.gainAt(angle, polar.range);
+  const double gain =
+      elevation_searches_.gainAt(antenna().measuredAngleAt(time), params_.errors.rangeMeasured(polar.range));
   if (gain <= 0.0) return std::nullopt;
   const Target& it = targets_[target];
   const auto turn = static_cast<std::uint64_t>(std::lround((angle - polar.azimuth) / tws::kTwoPi));
@@ -132,7 +139,9 @@ std::optional<ElevationLook> RotatingRadar::lookInElevation(std::size_t target, 
   const double snr = std::isnan(stated_snr_[target])
                          ? meanSnr(scanningBeam(params_, elevation), it.reflection.rcs, polar.range, height)
                          : stated_snr_[target];
-  return look(params_, it.reflection.fluctuation, gain * snr, elevation, random);
+  // The antenna dips with its axis.
+  const double dip = params_.errors.tilt > 0.0 ? polar.elevation - polarOf(it, time).elevation : 0.0;
+  return look(params_, it.reflection.fluctuation, gain * snr, elevation + dip, random);
 }
 
 std::size_t RotatingRadar::setElevationSearches(const std::vector<ElevationOrder>& orders) {
@@ -208,7 +217,8 @@ tws::Plot RotatingRadar::measure(const Echo& echo, const SectorSpan& sector) con
   const double snr = echo.power - 1.0;
   tws::Plot plot;
   plot.time = mast_.stampWithin(sector, echo.time);
-  const ReportedPlace place(echo.range + echo.range_error, echo.azimuth + echo.azimuth_error, params_.range_lsb,
+  const ReportedPlace place(params_.errors.rangeMeasured(echo.range) + echo.range_error,
+                            antenna().measured(echo.azimuth, echo.time) + echo.azimuth_error, params_.range_lsb,
                             params_.azimuth_lsb);
   plot.range = place.range;
   plot.azimuth = place.azimuth;

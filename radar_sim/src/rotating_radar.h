@@ -37,8 +37,10 @@ class RotatingRadar {
   const RadarParams& params() const { return params_; }
   const Antenna& antenna() const { return mast_.antenna(); }
 
-  /// Time of the mark that closes the next sector, as the radar's clock tells it [s of data time].
+  /// Time of the mark that closes the next sector [s of data time].
   double nextMark() const { return mast_.nextMark(); }
+  /// The same as the radar's clock tells it.
+  double nextStamp() const { return mast_.nextStamp(); }
   /// Goes on by one sector and returns it. Its times, and those of its plots, are the radar clock's: plots lie within
   /// their sector.
   tws::RadarSector closeSector();
@@ -54,7 +56,7 @@ class RotatingRadar {
 
   /// During an outage there is neither mark nor detection; the antenna still turns.
   bool isSilentAt(double time) const { return isFaulty(faults_, FaultKind::kOutage, time); }
-  /// Slant range, azimuth and elevation of a target at the site.
+  /// True slant range, azimuth and elevation of a target at the site.
   tws::Polar polarOf(const Target& target, double time) const;
   /// How fast its slant range grows [m/s].
   double rangeRateOf(const Target& target, double time) const;
@@ -72,6 +74,8 @@ class RotatingRadar {
   double meanSnrOf(std::size_t target, double time, double slant_range) const;
   void illuminateTargets(double until);
   void illuminate(std::size_t target, double time);
+  /// The same as polarOf in the antenna's own axes.
+  tws::Polar polarAtAntenna(std::size_t target, double time) const;
   /// What the elevation scans that pass over the target see of it; nothing: none do, or they do not detect it.
   std::optional<ElevationLook> lookInElevation(std::size_t target, double time, const tws::Polar& polar) const;
   void raiseFalseAlarms(double until);
@@ -81,7 +85,7 @@ class RotatingRadar {
   tws::Plot measure(const Echo& echo, const SectorSpan& sector) const;
 
   RadarParams params_;
-  Eigen::Isometry3d map_to_site_;
+  Eigen::Isometry3d map_to_site_, map_to_antenna_;
   const std::vector<Target>& targets_;
   std::vector<Fault> faults_;
   std::uint64_t seed_;

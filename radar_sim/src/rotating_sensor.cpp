@@ -9,7 +9,7 @@
 namespace radar_sim {
 
 std::unique_ptr<SensorSpec> readRotatingSensor(ParameterReader& reader, const Scenario& scenario) {
-  auto spec = std::make_unique<RotatingSpec>(readRadar(reader));
+  auto spec = std::make_unique<RotatingSpec>(readRadar(reader, scenario.start_time));
   settleSite(spec->params.site, scenario, reader);
   return spec;
 }
@@ -33,11 +33,13 @@ void RotatingSensor::connect(SensorPort& port) {
 
 void RotatingSensor::step() {
   if (elevation_) elevation_->applyCommands();
+  const double now = radar().nextMark();
   const tws::RadarSector sector = radar().closeSector();
   detections_.publish(tws_runtime::toDetections(sector, name(), name()));
   if (on_sector_) on_sector_(sector);
   if (elevation_) elevation_->onMark(sector);
-  marks_.publish({sector.running, sector.leave_time, sector.plots.size(), radar().rotationPeriod(sector.running + 1)});
+  marks_.publish(
+      {sector.running, now, sector.leave_time, sector.plots.size(), radar().rotationPeriod(sector.running + 1)});
 }
 
 void RotatingSensor::stopWaiting() {
@@ -46,7 +48,7 @@ void RotatingSensor::stopWaiting() {
 
 std::optional<double> RotatingSensor::beamAt(double time) const {
   if (radar().isSilentAt(time)) return std::nullopt;
-  return radar().antenna().azimuthAt(time);
+  return tws::wrapTwoPi(radar().antenna().measuredAngleAt(time));
 }
 
 Sighting RotatingSensor::sightingOf(std::size_t target, double time) const {

@@ -6,6 +6,7 @@
 #include <tws_core/quantisation.h>
 #include <tws_core/units.h>
 
+#include "registration_errors.h"
 #include "transponder.h"
 
 namespace radar_sim {
@@ -36,12 +37,12 @@ struct SecondaryParams {
   double max_range = 370e3;   ///< [m]
 
   // Measurement.
-  double range_bias = 0.0;                    ///< Measured less true [m].
   double range_sigma = 60.0;                  ///< [m]
-  double azimuth_bias = 0.0;                  ///< Measured less true [rad].
   double azimuth_sigma = tws::radians(0.15);  ///< [rad]
   double range_lsb = tws::kRangeLsb;          ///< [m]; 0: not quantised.
   double azimuth_lsb = tws::kAzimuthLsb;      ///< [rad]; 0: not quantised.
+  RegistrationErrors errors;                  ///< Those of the mast's turning gear and clock are copied here.
+  double beam_offset = 0.0;  ///< Of its own plots against the mast's azimuth: measured less true [rad].
 };
 
 }  // namespace radar_sim

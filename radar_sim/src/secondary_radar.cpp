@@ -62,12 +62,12 @@ SecondaryRadar::SecondaryRadar(SecondaryParams params, const Eigen::Isometry3d& 
                                const std::vector<Target>& targets, std::vector<Fault> faults, std::uint64_t seed,
                                double start_time)
     : params_(std::move(params)),
-      map_to_site_(map_to_site),
+      map_to_antenna_(params_.errors.toAntenna(map_to_site)),
       targets_(targets),
       faults_(std::move(faults)),
       seed_(seed),
       start_time_(start_time),
-      mast_(params_.rotation_period, params_.start_azimuth, params_.time_lsb, start_time),
+      mast_(params_.rotation_period, params_.start_azimuth, params_.time_lsb, start_time, params_.errors),
       crossings_(
           mast_.antenna(), targets, [this](std::size_t target, double time) { return polarOf(target, time).azimuth; },
           start_time) {
@@ -90,7 +90,7 @@ bool SecondaryRadar::isInCover(double range, double height) const {
 }
 
 tws::Polar SecondaryRadar::polarOf(std::size_t target, double time) const {
-  return tws::polarFromEnu(map_to_site_ * targets_[target].trajectory->at(time).position);
+  return tws::polarFromEnu(map_to_antenna_ * targets_[target].trajectory->at(time).position);
 }
 
 Mode SecondaryRadar::modeOf(std::int64_t interrogation) const {
@@ -110,7 +110,7 @@ void SecondaryRadar::illuminate(const BeamCrossings::Crossing& crossing) {
     return;
   Illumination it;
   it.time = crossing.time;
-  it.range = polar.range;
+  it.range = polar.range + params_.errors.delayOf(params_.antenna_height, height, polar.range);
   it.azimuth = polar.azimuth;
   for (const Mode mode : {Mode::k1, Mode::k2, Mode::k3A, Mode::kC})
     it.codes[index(mode)] = target.transponder.reply(mode, height);
@@ -166,9 +166,10 @@ std::vector<SecondaryPlot> SecondaryRadar::takePlots(const SectorSpan& span, dou
 }
 
 SecondaryPlot SecondaryRadar::measured(SecondaryPlot plot, const SectorSpan& span) const {
-  plot.time = mast_.stampWithin(span, plot.time);
-  const ReportedPlace place(plot.range + params_.range_bias, plot.azimuth + params_.azimuth_bias, params_.range_lsb,
+  const ReportedPlace place(params_.errors.rangeMeasured(plot.range),
+                            antenna().measured(plot.azimuth, plot.time) + params_.beam_offset, params_.range_lsb,
                             params_.azimuth_lsb);
+  plot.time = mast_.stampWithin(span, plot.time);
   plot.range = place.range;
   plot.azimuth = place.azimuth;
   return plot;

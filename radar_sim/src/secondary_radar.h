@@ -57,6 +57,7 @@ class SecondaryRadar {
   bool isBlindAt(double time) const { return isSilentAt(time) || isFaulty(faults_, FaultKind::kMissedScan, time); }
   bool isInCover(double range, double height) const;
   double beamTime() const { return params_.azimuth_beamwidth / antenna().rate(); }
+  /// In the antenna's own axes.
   tws::Polar polarOf(std::size_t target, double time) const;
   Mode modeOf(std::int64_t interrogation) const;
   std::int64_t firstInterrogationAfter(double time) const;
@@ -69,7 +70,7 @@ class SecondaryRadar {
   SecondaryPlot measured(SecondaryPlot plot, const SectorSpan& span) const;
 
   SecondaryParams params_;
-  Eigen::Isometry3d map_to_site_;
+  Eigen::Isometry3d map_to_antenna_;
   const std::vector<Target>& targets_;
   std::vector<Fault> faults_;
   std::uint64_t seed_;

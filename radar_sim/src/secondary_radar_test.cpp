@@ -135,9 +135,9 @@ TEST(SecondaryRadar, KeepsPlotsInsideTheirSectorInOrderOfTimeAndQuantised) {
 // Gates are sized by these errors, and the correlator's registration by the bias. Bounds are 4.5 standard deviations.
 TEST(SecondaryRadar, HasTheBiasAndNoiseThatItStates) {
   SecondaryParams params = perfectRadar();
-  params.range_bias = 40.0;
+  params.errors.range_bias = 40.0;
   params.range_sigma = 80.0;
-  params.azimuth_bias = tws::radians(-0.2);
+  params.beam_offset = tws::radians(-0.2);
   params.azimuth_sigma = tws::radians(0.25);
   SecondaryRun run(params, {airliner("alpha", 50e3, 77.1, 01234)});
   const auto plots = run.plots(4000);
@@ -156,6 +156,26 @@ TEST(SecondaryRadar, HasTheBiasAndNoiseThatItStates) {
   EXPECT_NEAR(std::sqrt(range_square), 1.0, 4.5 / std::sqrt(2.0 * n));
   EXPECT_NEAR(azimuth_mean, 0.0, 4.5 / std::sqrt(n));
   EXPECT_NEAR(std::sqrt(azimuth_square), 1.0, 4.5 / std::sqrt(2.0 * n));
+}
+
+// On a mast of its own its errors are those of its turning gear, marks and all; on another radar's its beam is off
+// beside these.
+TEST(SecondaryRadar, HasTheErrorsOfItsMastAndThoseOfItsBeam) {
+  SecondaryParams params = perfectRadar();
+  params.errors.range_gain = 1e-3;
+  params.errors.azimuth.bias = tws::radians(2.0);
+  params.errors.clock.offset = 0.3;
+  params.beam_offset = tws::radians(-0.5);
+  SecondaryRun run(params, {airliner("alpha", 50e3, 77.1, 01234)});
+  const auto sectors = run.sectors(3);
+  EXPECT_NEAR(sectors[0].span.leave_time, kStart + 0.3 + (5.625 - 2.0) / 60.0, 1e-6);
+  for (const SecondarySector& sector : sectors) {
+    for (const SecondaryPlot& plot : sector.plots) {
+      EXPECT_NEAR(plot.azimuth, tws::radians(77.1 + 2.0 - 0.5), 1e-9);
+      EXPECT_NEAR(plot.range, run.trueRange(0) * 1.001, 1e-6);
+      EXPECT_NEAR(std::fmod(plot.time - kStart, 6.0), 0.3 + 77.1 / 60.0, 1e-6);
+    }
+  }
 }
 
 // Of 8 replies (4 in 3/A, 4 in C), half of which are missed: a plot with 4 or more, a code with 2 or more in its mode.

@@ -5,6 +5,7 @@
 #include <tws_core/units.h>
 
 #include "radar_reader.h"
+#include "registration_reader.h"
 #include "reply.h"
 
 namespace radar_sim {
@@ -12,21 +13,27 @@ namespace {
 
 using tws::kRadiansPerDegree;
 
-void readOwnMast(ParameterReader& reader, SecondaryParams& radar) {
+const char* const kOfTheMast = "is that of on_mast_of: one of them only";
+
+void readOwnMast(ParameterReader& reader, double start_time, SecondaryParams& radar) {
   reader.text("site", radar.site);
   reader.number("rotation_period_s", radar.rotation_period, 0.7, 600.0);
   scaledNumber(reader, "start_azimuth_deg", radar.start_azimuth, kRadiansPerDegree, 0.0, 359.999999);
   reader.number("time_lsb_s", radar.time_lsb, 0.0, radar.rotation_period / 64.0);
+  readAzimuthBias(reader, radar.errors.azimuth.bias);
+  readMastErrors(reader, radar.errors, start_time);
 }
 
-/// Rotation, clock and place are those of the radar on whose mast it turns.
+/// Rotation, clock, their errors and place are those of the radar on whose mast it turns.
 void readSharedMast(ParameterReader& reader, const std::vector<RadarParams>& radars, SecondaryParams& radar) {
   std::vector<std::string> names;
   names.reserve(radars.size());
   for (const RadarParams& primary : radars) names.push_back(primary.name);
   reader.choice("on_mast_of", radar.mast, names);
   for (const char* key : {"site", "rotation_period_s", "start_azimuth_deg", "time_lsb_s"})
-    if (reader.has(key)) reader.fail(key, "is that of on_mast_of: one of them only");
+    if (reader.has(key)) reader.fail(key, kOfTheMast);
+  refuseMastErrors(reader, kOfTheMast);
+  readAzimuthBias(reader, radar.beam_offset);
   const auto isTheMast = [&](const RadarParams& primary) { return primary.name == radar.mast; };
   const RadarParams& primary = *std::find_if(radars.begin(), radars.end(), isTheMast);
   radar.site = primary.site;
@@ -34,6 +41,10 @@ void readSharedMast(ParameterReader& reader, const std::vector<RadarParams>& rad
   radar.start_azimuth = primary.start_azimuth;
   radar.time_lsb = primary.time_lsb;
   radar.antenna_height = primary.antenna_height;
+  radar.errors.azimuth = primary.errors.azimuth;
+  radar.errors.tilt = primary.errors.tilt;
+  radar.errors.tilt_azimuth = primary.errors.tilt_azimuth;
+  radar.errors.clock = primary.errors.clock;
 }
 
 void readInterlace(ParameterReader& reader, std::vector<Mode>& interlace) {
@@ -73,9 +84,8 @@ void readMeasurement(ParameterReader& reader, SecondaryParams& radar) {
   if (radar.max_range > unambiguous)
     reader.fail("max_range_m", "replies from there come after the next interrogation: " + std::to_string(unambiguous) +
                                    " m at most at this interrogation_rate_hz");
-  reader.number("range_bias_m", radar.range_bias, -10000.0, 10000.0);
+  readRangeErrors(reader, radar.errors);
   reader.number("range_sigma_m", radar.range_sigma, 0.0, 10000.0);
-  scaledNumber(reader, "azimuth_bias_deg", radar.azimuth_bias, kRadiansPerDegree, -20.0, 20.0);
   scaledNumber(reader, "azimuth_sigma_deg", radar.azimuth_sigma, kRadiansPerDegree, 0.0, 20.0);
   reader.number("range_lsb_m", radar.range_lsb, 0.0, 10000.0);
   scaledNumber(reader, "azimuth_lsb_deg", radar.azimuth_lsb, kRadiansPerDegree, 0.0, 10.0);
@@ -83,13 +93,13 @@ void readMeasurement(ParameterReader& reader, SecondaryParams& radar) {
 
 }  // namespace
 
-SecondaryParams readSecondaryRadar(ParameterReader& reader, const std::vector<RadarParams>& radars) {
+SecondaryParams readSecondaryRadar(ParameterReader& reader, const std::vector<RadarParams>& radars, double start_time) {
   SecondaryParams radar;
   readRadarName(reader, radar.name);
   if (reader.has("on_mast_of"))
     readSharedMast(reader, radars, radar);
   else
-    readOwnMast(reader, radar);
+    readOwnMast(reader, start_time, radar);
   reader.number("antenna_height_m", radar.antenna_height, 0.0, 20000.0);
   readInterrogation(reader, radar);
   readMeasurement(reader, radar);

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "rotating_sensor.h"
 #include "scenario_file_test_helpers.h"
 #include "secondary_sensor.h"
 
@@ -41,9 +42,67 @@ secondary_radars:
   EXPECT_EQ(ssr.needed_replies, 5);
   EXPECT_EQ(ssr.needed_code_replies, 3);
   EXPECT_EQ(ssr.fruit_plots_per_scan, 7.0);
-  EXPECT_EQ(ssr.range_bias, -20.0);
-  EXPECT_DOUBLE_EQ(ssr.azimuth_bias, tws::radians(0.1));
+  EXPECT_EQ(ssr.errors.range_bias, -20.0);
+  EXPECT_DOUBLE_EQ(ssr.beam_offset, tws::radians(0.1));
   EXPECT_EQ(paramsOf(2).rotation_period, 4.0);
+}
+
+TEST_F(ScenarioFile, ReadsTheErrorsOfRegistration) {
+  const Scenario scenario = load(R"(
+radars:
+  - name: a
+    range_bias_m: 50
+    range_gain: -0.0002
+    air_delay: true
+    azimuth_bias_deg: -0.4
+    eccentricity_deg: 0.2
+    eccentricity_phase_deg: 60
+    north_drift_deg_h: 3.6
+    tilt_deg: 0.5
+    tilt_azimuth_deg: 120
+    clock_offset_s: -0.05
+    clock_drift_ppm: 20
+secondary_radars:
+  - {name: on, on_mast_of: a, range_gain: 0.001, azimuth_bias_deg: 0.1}
+  - {name: own, azimuth_bias_deg: 0.1, clock_offset_s: 2}
+)");
+  const RegistrationErrors a = dynamic_cast<const RotatingSpec&>(*scenario.sensors[0]).params.errors;
+  EXPECT_EQ(a.range_bias, 50.0);
+  EXPECT_EQ(a.range_gain, -0.0002);
+  EXPECT_TRUE(a.air_delays);
+  EXPECT_DOUBLE_EQ(a.azimuth.bias, tws::radians(-0.4));
+  EXPECT_DOUBLE_EQ(a.azimuth.eccentricity, tws::radians(0.2));
+  EXPECT_DOUBLE_EQ(a.azimuth.eccentricity_phase, tws::radians(60.0));
+  EXPECT_NEAR(a.azimuth.north_drift, tws::radians(0.001), 1e-15);  // a second
+  EXPECT_DOUBLE_EQ(a.tilt, tws::radians(0.5));
+  EXPECT_DOUBLE_EQ(a.tilt_azimuth, tws::radians(120.0));
+  EXPECT_EQ(a.clock.offset, -0.05);
+  EXPECT_DOUBLE_EQ(a.clock.drift, 20e-6);
+  const SecondaryParams on = dynamic_cast<const SecondarySpec&>(*scenario.sensors[1]).params;
+  EXPECT_EQ(on.errors.azimuth.bias, a.azimuth.bias);
+  EXPECT_EQ(on.errors.clock.offset, a.clock.offset);
+  EXPECT_EQ(on.errors.tilt, a.tilt);
+  EXPECT_EQ(on.errors.range_bias, 0.0);
+  EXPECT_EQ(on.errors.range_gain, 0.001);
+  EXPECT_DOUBLE_EQ(on.beam_offset, tws::radians(0.1));
+  const SecondaryParams own = dynamic_cast<const SecondarySpec&>(*scenario.sensors[2]).params;
+  EXPECT_DOUBLE_EQ(own.errors.azimuth.bias, tws::radians(0.1));
+  EXPECT_EQ(own.beam_offset, 0.0);
+  EXPECT_EQ(own.errors.clock.offset, 2.0);
+}
+
+TEST_F(ScenarioFile, IsRefusedForWrongErrorsOfRegistration) {
+  const std::string radar = "radars:\n  - name: a\n";
+  expectComplaint(radar + "    range_gain: 0.5\n", 3, "is not in [-0.1, 0.1]");
+  expectComplaint(radar + "    eccentricity_deg: -1\n", 3, "is not in [0, 5]");
+  expectComplaint(radar + "    north_drift_deg_h: 400\n", 3, "is not in [-360, 360]");
+  expectComplaint(radar + "    tilt_deg: 6\n", 3, "is not in [0, 5]");
+  expectComplaint(radar + "    clock_offset_s: 61\n", 3, "is not in [-60, 60]");
+  expectComplaint(radar + "    clock_drift_ppm: .nan\n", 3, "expected a number");
+  expectComplaint(radar + "    air_delay: 3\n", 3, "air_delay");
+  expectComplaint("start_time_s: 5\n" + radar + "    clock_offset_s: -6\n", 4, "below 0 at the scenario's start");
+  expectComplaint(radar + "secondary_radars:\n  - name: s\n    on_mast_of: a\n    tilt_deg: 1\n", 6,
+                  "one of them only");
 }
 
 TEST_F(ScenarioFile, GivesAircraftTheirCodesOrDrawsThem) {

@@ -61,7 +61,7 @@ tws_msgs::SsrPlot toSsrPlot(const SecondaryPlot& plot) {
 }  // namespace
 
 std::unique_ptr<SensorSpec> readSecondarySensor(ParameterReader& reader, const Scenario& scenario) {
-  auto spec = std::make_unique<SecondarySpec>(readSecondaryRadar(reader, primaryRadars(scenario)));
+  auto spec = std::make_unique<SecondarySpec>(readSecondaryRadar(reader, primaryRadars(scenario), scenario.start_time));
   settleSite(spec->params.site, scenario, reader);
   return spec;
 }
@@ -91,10 +91,11 @@ void SecondarySensor::connect(SensorPort& port) {
 }
 
 void SecondarySensor::step() {
+  const double now = radar().nextMark();
   const SecondarySector sector = radar().closeSector();
   const SectorSpan& span = sector.span;
   plots_.publish(toSsrPlots(sector, name()));
-  marks_.publish({span.running, span.leave_time, sector.plots.size(), radar().rotationPeriod(span.running + 1)});
+  marks_.publish({span.running, now, span.leave_time, sector.plots.size(), radar().rotationPeriod(span.running + 1)});
 }
 
 }  // namespace radar_sim

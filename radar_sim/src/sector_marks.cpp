@@ -22,7 +22,7 @@ void SectorMarks::publish(const Closed& sector) {
   mark.running_count = static_cast<std::uint32_t>(plot_count_);
   mark.rotation_period = sector.rotation_period;
   for (const std::unique_ptr<Sensor>& other : scene_.sensors) {
-    const auto beam = other.get() == &radar_ ? std::nullopt : other->beamAt(sector.leave_time);
+    const auto beam = other.get() == &radar_ ? std::nullopt : other->beamAt(sector.time);
     if (!beam) continue;
     mark.other_radars.push_back(other->name());
     mark.other_azimuths.push_back(*beam);

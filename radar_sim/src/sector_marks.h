@@ -15,7 +15,8 @@ class SectorMarks {
   /// What the radar says of the sector that a mark closes.
   struct Closed {
     std::int64_t running;    ///< Sectors since the start.
-    double leave_time;       ///< The mark's time [s of data time].
+    double time;             ///< Of the mark [s of data time].
+    double leave_time;       ///< The same by the radar's clock.
     std::size_t plots;       ///< In that sector.
     double rotation_period;  ///< Of the latest full revolution [s]; NaN before there was one.
   };

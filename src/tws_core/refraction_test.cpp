@@ -35,5 +35,13 @@ TEST(SineOfElevation, OverTheTrueEarthIsThatOfThePlaceInSpace) {
   EXPECT_NEAR(sineOfElevation(0.0, 8000.0, place.norm(), kMeanEarthRadius), place.y() / place.norm(), 1e-9);
 }
 
+// By hand: near the sea 315 millionths of the way; straight up the integral of the exponential, 315e-6 · 7350 m ·
+// (1 - exp(-20 / 7.35)) = 2.1629 m. The far one by the trapezium rule in 100 000 steps.
+TEST(AirDelay, IsTheIntegralOfTheRefractivityAlongTheRay) {
+  EXPECT_NEAR(airDelay(0.0, 0.0, 10e3), 3.15, 1e-3);
+  EXPECT_NEAR(airDelay(0.0, 20e3, 20e3), 2.1629, 1e-4);
+  EXPECT_NEAR(airDelay(25.0, 10e3, 400e3), 84.9111, 1e-3);
+}
+
 }  // namespace
 }  // namespace tws
