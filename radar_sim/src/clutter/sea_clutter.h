@@ -21,7 +21,7 @@ struct SeaClutter : ClutterSpec {
 double seaReflectivity(double wavelength, double sea_state, double grazing);
 
 /// How fast the scatterers of the sea move before the wind [m/s]: a fifth of its speed, of which the sea state is the
-/// measure, 3.16 s^0.8 m/s (Nathanson, Radar Design Principles, 2nd ed., chapter 7, both rounded).
+/// measure, 3.16 s^0.8 m/s (orders of magnitude as in Nathanson, Radar Design Principles; not fitted to data).
 double driftOfSea(double sea_state);
 
 /// Power ratio by which it is stronger looking so far away from upwind [rad]: exp(0.2 cos φ (1 - 2.8 ψ) (λ +
