@@ -36,7 +36,8 @@ CellClutter::CellClutter(const ClutterView& view, const std::string& stream, Cel
     : radar_(view.params),
       stream_(view.params.name + "/" + stream),
       seed_(view.seed),
-      site_to_map_(view.map_to_site.inverse()),
+      map_to_site_(view.map_to_site),
+      site_to_map_(map_to_site_.inverse()),
       model_(std::move(model)),
       range_cell_(rangeCell(view.params)),
       threshold_(-std::log(view.params.false_alarm_probability)) {
@@ -73,7 +74,7 @@ double CellClutter::meanCnr(const Cell& cell, std::size_t bin) const {
 double CellClutter::rangeRateOf(const Echo& echo, RandomStream& random) const {
   if (!model_.motion) return drawFalseRangeRate(radar_, random);
   const Eigen::Vector3d direction(std::sin(echo.azimuth), std::cos(echo.azimuth), 0.0);
-  const double rate = radialVelocity(site_to_map_.inverse(), *model_.motion, direction);
+  const double rate = radialVelocity(map_to_site_, *model_.motion, direction);
   return drawRangeRate(radar_, rate, model_.motion->spread, random);
 }
 

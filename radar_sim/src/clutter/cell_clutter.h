@@ -59,7 +59,7 @@ class CellClutter : public Clutter {
   RadarParams radar_;
   std::string stream_;
   std::uint64_t seed_;
-  Eigen::Isometry3d site_to_map_;
+  Eigen::Isometry3d map_to_site_, site_to_map_;
   CellModel model_;
   double range_cell_, threshold_;
   std::size_t first_bin_ = 0;
