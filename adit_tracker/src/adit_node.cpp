@@ -138,10 +138,14 @@ class AditNode::Impl {
   void afterSector() {
     troubles_.add(*adit_);
     operators_.afterSector(*adit_);
-    const SectorReport& latest = adit_->tracks().latest();
+    if (status_due_) publishStatus(*status_due_);
+    status_due_.reset();
+  }
+
+  bool endsStatus(const SectorReport& report) const {
     const bool counts =
-        latest.radar == adit_->radars().reference() || adit_->order().silent(adit_->radars().reference());
-    if (counts && latest.running % tws::kSectors == kStatusSector) publishStatus(latest);
+        report.radar == adit_->radars().reference() || adit_->order().silent(adit_->radars().reference());
+    return counts && report.running % tws::kSectors == kStatusSector;
   }
 
   /// The report's I12DEL: sectors that wait for nothing but the tracker, and the four that it needs ahead.
@@ -178,6 +182,7 @@ class AditNode::Impl {
     if (message.sector == 0) publishClutter(report);
     if (report.running % (kMapScans * tws::kSectors) == 0) publishRadarMap(report);
     elevation_.afterSector(*adit_, report);
+    if (endsStatus(report)) status_due_ = report.enter_time;
   }
 
   void publishFates(const SectorFates& sector) {
@@ -210,8 +215,8 @@ class AditNode::Impl {
     return state;
   }
 
-  void publishStatus(const SectorReport& report) {
-    const ros::Time stamp = tws_runtime::toTime(report.enter_time);
+  void publishStatus(double time) {
+    const ros::Time stamp = tws_runtime::toTime(time);
     tws_msgs::TrackerStatus message = statusMessage(*adit_, state(stamp));
     message.header.stamp = stamp;
     message.tracker = bus_.name();
@@ -235,6 +240,7 @@ class AditNode::Impl {
   TroubleReport troubles_;
   std::vector<double> heard_;                       // of each radar: the end of its last sector [s]
   std::uint32_t operator_calls_ = 0, skipped_ = 0;  // since the last status
+  std::optional<double> status_due_;                // of this time [s]: it may be one of many sectors skipped at once
   bool scheduled_ = false;                          // work() stands in the queue
   std::optional<Adit> adit_;
   RadarInputs inputs_;

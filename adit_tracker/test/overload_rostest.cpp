@@ -52,8 +52,10 @@ class Overload : public testing::Test {
     sites_ = node_.advertise<tf2_msgs::TFMessage>("/tf_static", 1, true);
     operators_ = node_.serviceClient<tws_msgs::OperatorCommand>("/adit/operator_command");
     tracks_ = node_.subscribe<tws_msgs::Tracks>("/adit/tracks", kUnbounded, [this](const auto& m) { hear(m); });
-    status_ = node_.subscribe<tws_msgs::TrackerStatus>("/adit/status", kUnbounded,
-                                                       [this](const auto& m) { skipped_ += m->skipped_sectors; });
+    status_ = node_.subscribe<tws_msgs::TrackerStatus>("/adit/status", kUnbounded, [this](const auto& m) {
+      skipped_ += m->skipped_sectors;
+      ++statuses_;
+    });
     diagnostics_ = node_.subscribe<diagnostic_msgs::DiagnosticArray>("/diagnostics", kUnbounded,
                                                                      [this](const auto& m) { diagnose(*m); });
     tf2_msgs::TFMessage site;
@@ -161,7 +163,7 @@ class Overload : public testing::Test {
   ros::Subscriber tracks_, status_, diagnostics_;
   ros::ServiceClient operators_;
   std::mt19937 random_{20};
-  std::uint32_t running_ = 0, count_ = 0, heard_ = 0, skipped_ = 0;
+  std::uint32_t running_ = 0, count_ = 0, heard_ = 0, skipped_ = 0, statuses_ = 0;
   std::map<std::uint32_t, ros::Time> firm_;  // by uid: the latest update of the two aircraft
   std::string said_skipped_;
 };
@@ -183,6 +185,8 @@ TEST_F(Overload, SectorsArePassedOverItIsSaidOperatorsAreToldToAskAgainAndTracks
   EXPECT_TRUE(busy);
   EXPECT_GT(skipped_, 0U);
   EXPECT_TRUE(waitFor([this] { return !said_skipped_.empty() && said_skipped_ != "0"; })) << said_skipped_;
+
+  EXPECT_GE(statuses_ + 1, running_ / kSectors) << "no status of turns in which sectors are skipped";
 
   const std::map<std::uint32_t, ros::Time> before = firm_;
   flyTo(running_ + 3 * kSectors);

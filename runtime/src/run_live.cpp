@@ -75,7 +75,6 @@ LiveOptions readLiveOptions(const YAML::Node& tree, const std::string& where) {
   reader.number("duration", options.duration, 1e-3, kUnbounded);
   reader.texts("wait_for", options.wait_for);
   reader.number("wait_timeout", options.wait_timeout, 0.0, 3600.0);
-  reader.number("settle", options.settle, 0.0, 3600.0);
   reader.number("command_timeout", options.command_timeout, 0.0, 3600.0);
   reader.number("linger", options.linger, 0.0, 3600.0);
   reader.flag("required", options.required);
@@ -88,7 +87,6 @@ void runLive(RosBus& bus, Source& source, const LiveOptions& options) {
   if (!start) return;
   PacedClock clock(bus, options.rate);
   waitForSubscribers(bus, options);
-  if (options.settle > 0.0) bus.spinFor(options.settle);
   clock.start(*start);
   for (auto next = start; next && bus.ok(); next = source.nextTime()) {
     if (secondsBetween(*start, *next) > options.duration) break;

@@ -28,8 +28,9 @@ void lookAgain(Missing& missing) {
   std::set<std::string> topics;
   for (const auto& [topic, subscribers] : missing) topics.insert(topic);
   for (const auto& [topic, found] : subscriberCounts(topics, kLongestAnswer)) {
-    missing[topic].found = found;
-    if (found >= missing[topic].wanted) missing.erase(topic);
+    const auto entry = missing.find(topic);
+    entry->second.found = found;
+    if (found >= entry->second.wanted) missing.erase(entry);
   }
 }
 

@@ -114,7 +114,7 @@ constexpr double kSurprise = 16.0;
 constexpr double kLogManoeuvre = -4.6;  // ln 0.01
 
 /// The fit of a position and that of a range rate together.
-void add(MeasurementFit& fit, const RangeRateFit& rate) {
+void add(MeasurementFit& fit, const MeasurementFit& rate) {
   fit.squared_distance += rate.squared_distance;
   fit.density *= rate.density;
 }
@@ -210,10 +210,7 @@ double MultipleModelFilter::correctBy(const PlanarPosition& z, const RangeRate& 
 
 double MultipleModelFilter::correctBy(const RangeRate& rate) {
   std::array<MeasurementFit, kModels> fit{};
-  for (std::size_t i = 0; i < kModels; ++i) {
-    const RangeRateFit its = correct(state_[i], rate);
-    fit[i] = {its.squared_distance, its.density};
-  }
+  for (std::size_t i = 0; i < kModels; ++i) fit[i] = correct(state_[i], rate);
   return weigh(fit);
 }
 

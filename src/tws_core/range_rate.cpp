@@ -9,7 +9,7 @@ namespace tws {
 namespace {
 
 /// What is known before the rate is looked at.
-RangeRateFit fitOf(const RangeRatePrediction& p, double variance, const RangeRate& z) {
+MeasurementFit fitOf(const RangeRatePrediction& p, double variance, const RangeRate& z) {
   if (!tellsFold(variance, z)) return {0.0, 1.0 / z.ambiguity};
   const double innovation = z.difference(z.value, p.value);
   return {innovation * innovation / variance, 1.0 / std::sqrt(kTwoPi * variance)};
@@ -47,15 +47,15 @@ RangeRatePrediction predictRangeRate(const PlanarMotion& s, const RangeRate& rad
   return p;
 }
 
-RangeRateFit fitOf(const PlanarMotion& s, const RangeRate& z) {
+MeasurementFit fitOf(const PlanarMotion& s, const RangeRate& z) {
   const RangeRatePrediction p = predictRangeRate(s, z);
   return fitOf(p, p.variance + z.sigma * z.sigma, z);
 }
 
-RangeRateFit correct(TurningMotion& s, const RangeRate& z) {
+MeasurementFit correct(TurningMotion& s, const RangeRate& z) {
   const RangeRatePrediction p = predictRangeRate(s, z);
   const double variance = p.variance + z.sigma * z.sigma;
-  const RangeRateFit fit = fitOf(p, variance, z);
+  const MeasurementFit fit = fitOf(p, variance, z);
   if (!tellsFold(variance, z)) return fit;
   const double weight = 1.0 / variance, gain = z.difference(z.value, p.value) * weight;
   const double x = p.to_position[0], y = p.to_position[1], vx = p.to_velocity[0], vy = p.to_velocity[1];

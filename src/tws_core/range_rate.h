@@ -44,15 +44,11 @@ inline bool tellsFold(double variance, const RangeRate& z) {
   return z.ambiguity == 0.0 || variance * kSigmas * kSigmas < z.ambiguity * z.ambiguity;
 }
 
-/// A rate's likelihood is density · exp(-squared_distance / 2) [s/m].
-struct RangeRateFit {
-  double squared_distance, density;
-};
-
-/// Where the fold cannot be told, all of them are alike likely, and nothing is learned.
-RangeRateFit fitOf(const PlanarMotion& s, const RangeRate& z);
+/// Here the density of the fit is a whole one [s/m], without the 2π of a position's. Where the fold cannot be told, all
+/// of them are alike likely, and nothing is learned.
+MeasurementFit fitOf(const PlanarMotion& s, const RangeRate& z);
 
 /// Kalman update with a range rate.
-RangeRateFit correct(TurningMotion& s, const RangeRate& z);
+MeasurementFit correct(TurningMotion& s, const RangeRate& z);
 
 }  // namespace tws

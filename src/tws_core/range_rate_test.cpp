@@ -97,7 +97,7 @@ TEST(RangeRate, CorrectsAsADenseExtendedKalmanFilterDoes) {
     z.squared_height = uniform(generator, 0.0, 1e8);
     z.squared_height_variance = uniform(generator, 0.0, 1e14);
     z.value = rangeRate(x, z) + uniform(generator, -30.0, 30.0);
-    const RangeRateFit alone = fitOf(s, z), fit = correct(s, z);
+    const MeasurementFit alone = fitOf(s, z), fit = correct(s, z);
     const double likelihood = correctDensely(x, p, z);
     EXPECT_NEAR(fit.density * std::exp(-0.5 * fit.squared_distance) / likelihood, 1.0, 1e-4);
     EXPECT_EQ(alone.squared_distance, fit.squared_distance);
@@ -125,7 +125,7 @@ TEST(RangeRate, IsOfNoUseWhereItsFoldCannotBeTold) {
   z.ambiguity = 30.0;  // The rate is known to 10 m/s.
   TurningMotion s;
   static_cast<PlanarMotion&>(s) = eastern();
-  const RangeRateFit fit = correct(s, z);
+  const MeasurementFit fit = correct(s, z);
   EXPECT_EQ(fit.squared_distance, 0.0);
   EXPECT_DOUBLE_EQ(fit.density, 1.0 / 30.0);
   EXPECT_EQ(meanOf(s), meanOf(eastern()));

@@ -22,20 +22,6 @@ double density(const tws::Symmetric2& covariance, double squared_distance) {
   return std::exp(-0.5 * squared_distance) / (2.0 * tws::kPi * std::sqrt(covariance.determinant()));
 }
 
-/// How well the plot's range rate fits the track, where the plot's place is known.
-struct RateMatch {
-  double squared = 0.0;   // the distance, in standard deviations of the innovation
-  double variance = 1.0;  // of that [m²/s²]
-
-  /// How much likelier the rate is of the track's target than of a false plot.
-  double likelihood(double span) const { return span * std::exp(-0.5 * squared) / std::sqrt(tws::kTwoPi * variance); }
-};
-
-/// Has the plot a range rate that the track may be asked about?
-bool telling(const Track& track, const tws::Plot& plot, const RadarQuality& quality) {
-  return track.predicted_rate.known() && quality.rangeRate(plot.range_rate).known();
-}
-
 RateMatch matchOf(const RatePrediction& rate, const RatePrediction::Expected& expected, const tws::Plot& plot,
                   const RadarQuality& quality) {
   const double off =
@@ -43,9 +29,11 @@ RateMatch matchOf(const RatePrediction& rate, const RatePrediction::Expected& ex
   return {off * off / expected.variance, expected.variance};
 }
 
-RateMatch matchOf(const Track& track, const tws::Plot& plot, const RadarQuality& quality, double by_range,
-                  double across) {
+/// None where the plot has no range rate, or the track cannot be asked about it.
+std::optional<RateMatch> matchOf(const Track& track, const tws::Plot& plot, const RadarQuality& quality,
+                                 double by_range, double across) {
   const RatePrediction& rate = track.predicted_rate;
+  if (!rate.known() || !quality.rangeRate(plot.range_rate).known()) return std::nullopt;
   return matchOf(rate, rate.given(track.predicted.innovation, by_range, across), plot, quality);
 }
 
@@ -81,7 +69,8 @@ PlotClaim& claimOf(Detection& detection, std::uint32_t uid) {
 }  // namespace
 
 std::size_t Correlator::smallestGate(const Track& track, const tws::Plot& plot, const RadarQuality& quality,
-                                     double range_difference, double azimuth_difference, double& distance) const {
+                                     const std::optional<RateMatch>& rate, double range_difference,
+                                     double azimuth_difference, double& distance) const {
   if (params_.gates == GateKind::kFixed) {
     for (std::size_t g = 0; g < kGates; ++g) {
       const Gate& gate = params_.track_gates[g];
@@ -98,20 +87,17 @@ std::size_t Correlator::smallestGate(const Track& track, const tws::Plot& plot, 
   const double greatest = params_.gate_sigmas * params_.gate_sigmas;
   double squared = p.innovation.mahalanobis(range_difference, cross_range);
   distance = squared + p.log_volume;
-  const bool tells = telling(track, plot, quality) && squared <= greatest;
-  if (tells) {
-    const RateMatch rate = matchOf(track, plot, quality, range_difference, cross_range);
-    squared += rate.squared;
+  if (rate && squared <= greatest) {
+    squared += rate->squared;
     const double own = quality.rangeRate(plot.range_rate).sigma;
-    distance += rate.squared + std::log(rate.variance / (own * own));
+    distance += rate->squared + std::log(rate->variance / (own * own));
   }
   if (squared > greatest) {
     if (manoeuvreOf(track) == 0.0) return kGates;
     // What only a hard manoeuvre explains comes last of all.
     const auto covariance = widened(p.innovation, p.manoeuvre);
     double wide = covariance.mahalanobis(range_difference, cross_range);
-    if (telling(track, plot, quality))
-      wide += manoeuvreMatchOf(track, covariance, plot, quality, range_difference, cross_range).squared;
+    if (rate) wide += manoeuvreMatchOf(track, covariance, plot, quality, range_difference, cross_range).squared;
     return wide <= kManoeuvreSigmas * kManoeuvreSigmas ? kGates - 1 : kGates;
   }
   std::size_t g = 0;
@@ -183,8 +169,9 @@ void Correlator::beginNotes(Detection& detection, const FalsePlotMap& map) const
 
 /// Fills in the likelihood. False: a tentative track leaves such a detection alone; where they are many, the comparison
 /// with `farthest` says so of nearly all before anything is worked out.
-bool Correlator::mayBeOf(const Track& track, Candidate& candidate, double range_difference, double azimuth_difference,
-                         double farthest, const RadarQuality& quality) const {
+bool Correlator::mayBeOf(const Track& track, Candidate& candidate, const std::optional<RateMatch>& rate,
+                         double range_difference, double azimuth_difference, double farthest,
+                         const RadarQuality& quality) const {
   const FalsePlotMap& map = quality.falsePlotMap();
   const Prediction& p = track.predicted;
   Detection& detection = *candidate.detection;
@@ -194,17 +181,14 @@ bool Correlator::mayBeOf(const Track& track, Candidate& candidate, double range_
   if (!track.firm && squared > farthest - detection.crowding) return false;
   const double manoeuvre = manoeuvreOf(track);
   candidate.likelihood = density(p.innovation, squared);
-  const bool tells = telling(track, detection.plot, quality);
-  if (tells) {
-    candidate.likelihood *=
-        matchOf(track, detection.plot, quality, range_difference, across).likelihood(quality.rateSpan());
-  }
+  if (rate) candidate.likelihood *= rate->likelihood(quality.rateSpan());
   if (manoeuvre > 0.0) {
     const auto wide = widened(p.innovation, manoeuvre);
     double hard = kHardManoeuvre * density(wide, wide.mahalanobis(range_difference, across));
-    if (tells)
+    if (rate) {
       hard *= manoeuvreMatchOf(track, wide, detection.plot, quality, range_difference, across)
                   .likelihood(quality.rateSpan());
+    }
     candidate.likelihood += hard;
   }
   if (track.firm) return true;
@@ -221,13 +205,14 @@ void Correlator::gather(const Track& track, const Asker& asker, RadarState& rada
   Entry entry{asker.slot, asker.order, asker.primary, false, candidates_.size(), 0};
   const auto consider = [&](Detection& detection, double range_difference, double azimuth_difference) {
     double distance = 0.0;
+    const auto rate = matchOf(track, detection.plot, radar.quality, range_difference, p.range * azimuth_difference);
     std::size_t gate =
-        smallestGate(track, detection.plot, radar.quality, range_difference, azimuth_difference, distance);
+        smallestGate(track, detection.plot, radar.quality, rate, range_difference, azimuth_difference, distance);
     if (gate == kGates) return;
     // A branch takes what all others leave: else it would live on its parent's detections.
     if (track.parent != 0 && !track.firm) gate = kGates - 1;
     Candidate candidate{&detection, distance, gate};
-    if (byChances() && !mayBeOf(track, candidate, range_difference, azimuth_difference, farthest, radar.quality))
+    if (byChances() && !mayBeOf(track, candidate, rate, range_difference, azimuth_difference, farthest, radar.quality))
       return;
     candidates_.push_back(candidate);
     frontier_.add(p.range + range_difference, p.azimuth + azimuth_difference);

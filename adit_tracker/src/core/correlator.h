@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "adit_params.h"
@@ -83,8 +84,8 @@ class Correlator {
   ClusterWeigher::Resolution resolutionOf(const RadarQuality& quality) const;
   Reach reachOf(const Track& track) const;
   void beginNotes(Detection& detection, const FalsePlotMap& map) const;
-  bool mayBeOf(const Track& track, Candidate& candidate, double range_difference, double azimuth_difference,
-               double farthest, const RadarQuality& quality) const;
+  bool mayBeOf(const Track& track, Candidate& candidate, const std::optional<RateMatch>& rate, double range_difference,
+               double azimuth_difference, double farthest, const RadarQuality& quality) const;
   void gather(const Track& track, const Asker& asker, RadarState& radar);
   void gatherPrimary(const TrackFile& tracks, const std::vector<TrackFile::Slot>& slots, RadarState& radar,
                      std::int64_t running);
@@ -92,7 +93,8 @@ class Correlator {
                        std::int64_t running, std::size_t site);
   /// The smallest region that holds the detection, and its distance; kGates: none.
   std::size_t smallestGate(const Track& track, const tws::Plot& plot, const RadarQuality& quality,
-                           double range_difference, double azimuth_difference, double& distance) const;
+                           const std::optional<RateMatch>& rate, double range_difference, double azimuth_difference,
+                           double& distance) const;
   void pass(std::size_t gate);
   void noteClaims(const TrackFile& tracks) const;
   Detection* closest(const Entry& entry, std::size_t gate) const;

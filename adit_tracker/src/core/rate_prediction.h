@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include <tws_core/angles.h>
 #include <tws_core/planar_gaussian.h>
 
 namespace adit_tracker {
@@ -42,6 +43,15 @@ struct RatePrediction {
     const double a = (s.yy * range - s.xy * cross) * inverse, b = (s.xx * cross - s.xy * range) * inverse;
     return {a * by_range + b * across, std::fmax(all - a * range - b * cross, kLeast * all)};
   }
+};
+
+/// How well a plot's range rate fits the track, where the plot's place is known.
+struct RateMatch {
+  double squared = 0.0;   // the distance, in standard deviations of the innovation
+  double variance = 1.0;  // of that [m²/s²]
+
+  /// How much likelier the rate is of the track's target than of a false plot, whose rates spread over `span` [m/s].
+  double likelihood(double span) const { return span * std::exp(-0.5 * squared) / std::sqrt(tws::kTwoPi * variance); }
 };
 
 }  // namespace adit_tracker

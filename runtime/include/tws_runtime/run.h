@@ -24,7 +24,6 @@ struct LiveOptions {
   /// Topics that must have a subscriber before the first step, whichever nodes publish them; named twice: two of them.
   std::vector<std::string> wait_for;
   double wait_timeout = 10.0;    ///< Go on after so much wall time [s], >= 0, with a warning that names the topics.
-  double settle = 0.0;           ///< Wait so much longer [s of wall time], >= 0.
   double command_timeout = 1.0;  ///< How long a step may wait for the commands by which it goes [s of wall time], >= 0.
   double linger = 2.0;           ///< Wall time after the end [s], >= 0, so that the last messages reach everybody.
   bool required = false;         ///< Of a nodelet: its manager ends with it, as roslaunch does with a required node.
