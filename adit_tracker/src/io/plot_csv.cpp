@@ -17,7 +17,7 @@ namespace {
 constexpr std::size_t kMostComplaints = 10;
 constexpr double kLongestPause = 600.0;           // within a stretch of plots [s]
 constexpr std::size_t kFewestPlots = 3;           // of a stretch: fewer make no track
-constexpr double kFastest = 1e5;                  // of range rates [m/s]
+constexpr double kFastestRate = 1e5;              // of range rates [m/s]
 constexpr double kFarthestAway = 30.0 * 86400.0;  // from the longest stretch [s]
 
 /// Where the columns are; those that need not be there are columns() of the table when they are not.
@@ -41,7 +41,7 @@ double angleBetween(const tws::CsvTable& table, std::size_t column, const char* 
 /// [m/s]; NaN when it is not there. Throws the reason.
 double rateOf(const tws::CsvTable& table, std::size_t column) {
   const double rate = table.numberOrUnknown(column);
-  if (std::abs(rate) > kFastest) table.fail("range_rate_mps is not in [-100000, 100000]: " + table.text(column));
+  if (std::abs(rate) > kFastestRate) table.fail("range_rate_mps is not in [-100000, 100000]: " + table.text(column));
   return rate;
 }
 
