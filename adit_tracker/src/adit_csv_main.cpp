@@ -309,7 +309,8 @@ void run(const Options& options) {
               << (table.midnights == 1 ? " time" : " times") << " and are continued\n";
   if (table.plots == 0) throw std::runtime_error(options.detections + ": holds no usable plot");
   Input found = inputOf(options, table);
-  const std::vector<std::string> inputs{options.detections, options.clutter_map, options.params, options.own_ship, options.registration};
+  const std::vector<std::string> inputs{options.detections, options.clutter_map, options.params, options.own_ship,
+                                        options.registration};
   if (!options.save_clutter_map.empty()) tws::checkOutputPath(options.save_clutter_map, inputs);
   if (!options.save_registration.empty()) tws::checkOutputPath(options.save_registration, inputs);
   tws::OutputFile output(options.tracks, inputs);
@@ -391,8 +392,10 @@ std::optional<int> parse(Options& options, int argc, char** argv) {
     options.radars = parseRadars(radars);
     if (!options.own_ship.empty() && !(options.clutter_map + options.save_clutter_map).empty())
       throw std::invalid_argument("a clutter map is of one place: not with --own-ship");
-    checkOutputs(
-        {{"--tracks", options.tracks}, {"--plots", options.plots}, {"--save-clutter-map", options.save_clutter_map}, {"--save-registration", options.save_registration}});
+    checkOutputs({{"--tracks", options.tracks},
+                  {"--plots", options.plots},
+                  {"--save-clutter-map", options.save_clutter_map},
+                  {"--save-registration", options.save_registration}});
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 2;
   } catch (const std::invalid_argument& error) {

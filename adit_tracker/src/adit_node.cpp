@@ -35,7 +35,7 @@ using tws_runtime::RadarInputs;
 
 // Of the reference radar: there the report sets its status words (ELEV).
 constexpr std::int64_t kStatusSector = 61;
-constexpr std::int64_t kMapScans = 4;  // of a radar, between two of its maps
+constexpr std::int64_t kMapScans = 4;              // of a radar, between two of its maps
 constexpr std::int64_t kRegistrationSectors = 32;  // of the reference radar, between two messages
 
 }  // namespace

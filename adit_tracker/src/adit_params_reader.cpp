@@ -342,10 +342,10 @@ std::vector<Volume> readVolumes(ParameterReader& reader, const LocalParams& base
   if (entries.size() > kMostVolumes)
     reader.fail("volumes", std::to_string(entries.size()) + " are too many: at most " + std::to_string(kMostVolumes));
   for (ParameterReader& entry : entries) {
-    refuse(entry,
-           {"radars",      "iff",      "reference_radar", "capacity",       "skew_limit_s", "filter",      "alpha_beta",
-            "learn_noise", "gates",    "track_gates",     "gate_distances", "gate_sigmas",  "association", "life",
-            "timers",      "coverage", "bifurcation",     "operator",       "elevation",    "registration", "volumes"});
+    refuse(entry, {"radars",      "iff",          "reference_radar", "capacity",    "skew_limit_s",   "filter",
+                   "alpha_beta",  "learn_noise",  "gates",           "track_gates", "gate_distances", "gate_sigmas",
+                   "association", "life",         "timers",          "coverage",    "bifurcation",    "operator",
+                   "elevation",   "registration", "volumes"});
     Volume& volume = volumes.emplace_back();
     entry.require("name");
     entry.text("name", volume.name);

@@ -29,13 +29,20 @@ double varianceAlong(const Block& covariance, const Eigen::Matrix<double, kTerms
 
 const char* nameOf(RegistrationState state) {
   switch (state) {
-    case RegistrationState::kOff: return "off";
-    case RegistrationState::kLearning: return "learning";
-    case RegistrationState::kApplied: return "applied";
-    case RegistrationState::kFrozen: return "frozen";
-    case RegistrationState::kUnobservable: return "unobservable";
-    case RegistrationState::kTooLarge: return "too large";
-    case RegistrationState::kDrifting: return "drifting";
+    case RegistrationState::kOff:
+      return "off";
+    case RegistrationState::kLearning:
+      return "learning";
+    case RegistrationState::kApplied:
+      return "applied";
+    case RegistrationState::kFrozen:
+      return "frozen";
+    case RegistrationState::kUnobservable:
+      return "unobservable";
+    case RegistrationState::kTooLarge:
+      return "too large";
+    case RegistrationState::kDrifting:
+      return "drifting";
   }
   return "";
 }
@@ -55,11 +62,7 @@ RegistrationRows registrationRows(std::size_t radar, double range, double ground
   rows.radar = radar;
   rows.x = {slope * s, slope * s * range, ground * c, ground * c * std::sin(azimuth), ground * c * std::cos(azimuth),
             -vx};
-  rows.y = {slope * c,
-            slope * c * range,
-            -ground * s,
-            -ground * s * std::sin(azimuth),
-            -ground * s * std::cos(azimuth),
+  rows.y = {slope * c, slope * c * range, -ground * s, -ground * s * std::sin(azimuth), -ground * s * std::cos(azimuth),
             -vy};
   return rows;
 }
@@ -317,8 +320,8 @@ void Registration::judgeRadar(std::size_t radar) {
     for (std::size_t i = 0; i < kRegistrationTerms && any; ++i) {
       const auto k = static_cast<Eigen::Index>(i);
       const double step = std::abs(report.errors[i] - r.earlier[i]);
-      drifting = drifting || (time_ - r.first_time > 2.5 * kLookBack && step * step > 16.0 * std::max(0.0, noise(k, k)) &&
-                              step > 0.5 * params_.drift[i]);
+      drifting = drifting || (time_ - r.first_time > 2.5 * kLookBack &&
+                              step * step > 16.0 * std::max(0.0, noise(k, k)) && step > 0.5 * params_.drift[i]);
     }
     r.earlier = report.errors;
     r.earlier_time = time_;
@@ -330,8 +333,8 @@ void Registration::judgeRadar(std::size_t radar) {
   else if (any)
     report.state = drifting ? RegistrationState::kDrifting : RegistrationState::kApplied;
   else
-    report.state = time_ - r.first_time < params_.learning_time ? RegistrationState::kLearning
-                                                                : RegistrationState::kUnobservable;
+    report.state =
+        time_ - r.first_time < params_.learning_time ? RegistrationState::kLearning : RegistrationState::kUnobservable;
 }
 
 /// Slowly, so that tracks follow.

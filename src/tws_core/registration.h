@@ -54,12 +54,12 @@ struct RegistrationParams {
   RegistrationTerms drift = {20.0, 5e-5, radians(0.2), radians(0.03), radians(0.03), 0.02};
   RegistrationTerms greatest = {3000.0, 0.01, radians(4.0), radians(1.0), radians(1.0), 3.0};
   RegistrationTerms rate = {20.0, 5e-5, radians(0.06), radians(0.03), radians(0.03), 0.02};
-  double significance = 4.0;       // An error is applied from so many standard deviations on.
-  double unobservable = 0.25;      // It must be known to this share of what was known of it before.
-  double gate = 4.0;               // A pairing further off, in standard deviations, is left out.
+  double significance = 4.0;          // An error is applied from so many standard deviations on.
+  double unobservable = 0.25;         // It must be known to this share of what was known of it before.
+  double gate = 4.0;                  // A pairing further off, in standard deviations, is left out.
   double pairings_per_second = 20.0;  // No more are used.
-  double settling_time = 15.0;     // Time constant with which what is applied follows [s].
-  double learning_time = 120.0;    // After so long without a result a radar counts as unobservable [s].
+  double settling_time = 15.0;        // Time constant with which what is applied follows [s].
+  double learning_time = 120.0;       // After so long without a result a radar counts as unobservable [s].
 };
 
 /// How the place of a plot on the plane changes with each of its radar's errors [m per unit].
@@ -74,11 +74,11 @@ RegistrationRows registrationRows(std::size_t radar, double range, double ground
 
 /// Two radars placed one target differently at one instant, or one radar a known place.
 struct RegistrationPairing {
-  double time = 0.0;          // [s]
-  double x = 0.0, y = 0.0;    // Place by the first, less that by the second or the known one [m].
-  Symmetric2 covariance;      // Of that, without the errors of registration [m²].
+  double time = 0.0;        // [s]
+  double x = 0.0, y = 0.0;  // Place by the first, less that by the second or the known one [m].
+  Symmetric2 covariance;    // Of that, without the errors of registration [m²].
   RegistrationRows first, second;
-  bool absolute = false;      // The place is known; `second` does not count.
+  bool absolute = false;  // The place is known; `second` does not count.
 };
 
 /// Joint recursive estimate of the errors of all radars, with its full covariance: a Kalman filter whose errors wander

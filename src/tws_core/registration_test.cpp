@@ -93,7 +93,8 @@ TEST(RegistrationFilter, IsTheLeastSquaresSolution) {
   Eigen::MatrixXd information = Eigen::MatrixXd::Zero(12, 12);
   Eigen::VectorXd vector = Eigen::VectorXd::Zero(12);
   for (Eigen::Index i = 0; i < 12; ++i)
-    information(i, i) = 1.0 / (params.sigma[static_cast<std::size_t>(i % 6)] * params.sigma[static_cast<std::size_t>(i % 6)]);
+    information(i, i) =
+        1.0 / (params.sigma[static_cast<std::size_t>(i % 6)] * params.sigma[static_cast<std::size_t>(i % 6)]);
   for (int i = 0; i < 60; ++i) {
     const RegistrationPairing p = sky.anywhere();
     Eigen::Matrix<double, 2, 12> H;
@@ -200,7 +201,8 @@ TEST(Registration, BeginsAnewWhenARadarWasTurned) {
   watch(registration, sky, 0.0, 200.0);
   sky.second[kAzimuthBias] = radians(2.5);
   watch(registration, sky, 200.0, 300.0);
-  EXPECT_NEAR(registration.applied(1)[kAzimuthBias] - registration.applied(0)[kAzimuthBias], radians(2.5), radians(0.2));
+  EXPECT_NEAR(registration.applied(1)[kAzimuthBias] - registration.applied(0)[kAzimuthBias], radians(2.5),
+              radians(0.2));
 }
 
 TEST(Registration, LeavesAnErrorThatIsTooLargeAlone) {

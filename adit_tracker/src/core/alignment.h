@@ -39,7 +39,7 @@ class Alignment {
 
  private:
   struct Seen {
-    tws::Plot plot;               // as the tracker has it
+    tws::Plot plot;                // as the tracker has it
     tws::RegistrationTerms taken;  // out of it already
     std::size_t radar;
   };

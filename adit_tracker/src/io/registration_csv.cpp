@@ -9,8 +9,8 @@
 namespace adit_tracker {
 namespace {
 
-constexpr std::array<const char*, tws::kRegistrationTerms> kNames{"range_m",       "gain",           "azimuth_rad",
-                                                                  "sine_rad",      "cosine_rad",     "clock_s"};
+constexpr std::array<const char*, tws::kRegistrationTerms> kNames{"range_m",  "gain",       "azimuth_rad",
+                                                                  "sine_rad", "cosine_rad", "clock_s"};
 
 std::string columnOf(const std::string& radar, std::size_t term) { return radar + ":" + kNames[term]; }
 
@@ -26,7 +26,8 @@ void writeRegistration(std::ostream& output, const Adit& adit) {
   const tws::RegistrationFilter& filter = adit.registration().filter();
   output << "radar,term,value";
   for (std::size_t i = 0; i < filter.radars(); ++i)
-    for (std::size_t term = 0; term < kNames.size(); ++term) output << ',' << columnOf(adit.params().radars[i].name, term);
+    for (std::size_t term = 0; term < kNames.size(); ++term)
+      output << ',' << columnOf(adit.params().radars[i].name, term);
   output << '\n';
   for (Eigen::Index row = 0; row < filter.mean().size(); ++row) {
     const auto index = static_cast<std::size_t>(row);
@@ -54,11 +55,11 @@ void readRegistration(std::istream& input, const std::string& name, Adit& adit) 
     mean[static_cast<Eigen::Index>(row)] = table.number(value);
     for (std::size_t column = 0; column < rows; ++column) {
       const std::string of = columnOf(adit.params().radars[column / kNames.size()].name, column % kNames.size());
-      covariance(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(column)) =
-          table.number(table.require(of));
+      covariance(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(column)) = table.number(table.require(of));
     }
   }
-  if (row < rows) throw std::runtime_error(name + ": has " + std::to_string(row) + " rows, not " + std::to_string(rows));
+  if (row < rows)
+    throw std::runtime_error(name + ": has " + std::to_string(row) + " rows, not " + std::to_string(rows));
   try {
     adit.registration().load(mean, covariance);
   } catch (const std::invalid_argument& error) {

@@ -48,8 +48,7 @@ void judgeRegistration(const Adit& adit, Diagnosis& diagnosis) {
   for (std::size_t i = 0; i < reports.size() && reports.size() > 1; ++i) {
     const RegistrationState state = reports[i].state;
     const std::string& radar = adit.params().radars[i].name;
-    if (state != RegistrationState::kOff)
-      diagnosis.values.emplace_back("registration of " + radar, tws::nameOf(state));
+    if (state != RegistrationState::kOff) diagnosis.values.emplace_back("registration of " + radar, tws::nameOf(state));
     if (state == RegistrationState::kTooLarge)
       add(diagnosis, Level::kWarning, radar + "'s errors of registration are too large to be corrected");
     if (state == RegistrationState::kDrifting)
