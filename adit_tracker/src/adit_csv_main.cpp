@@ -26,6 +26,7 @@
 #include "io/own_ship_csv.h"
 #include "io/plot_csv.h"
 #include "io/radar_spec.h"
+#include "io/registration_csv.h"
 #include "io/sector_feed.h"
 #include "io/snapshot_feed.h"
 #include "io/track_csv.h"
@@ -39,7 +40,7 @@ struct Options {
   std::uint32_t capacity = 0;  // 0: the parameter file's
   double epochs = 0.0;
   bool covariance = false;
-  std::string clutter_map, save_clutter_map, plots, own_ship;  // files; empty: none
+  std::string clutter_map, save_clutter_map, plots, own_ship, registration, save_registration;  // files; empty: none
 };
 
 /// The radars that were named, else all of the file.
@@ -209,6 +210,7 @@ class Run {
   bool hasFirmTracks() const { return adit_.counts().tracks_firm > 0; }
   std::uint64_t absorbed() const { return adit_.clutter().absorbed(); }
   SavedMaps maps() const { return adit_.maps(); }
+  Adit& adit() { return adit_; }
 
   void summary(const PlotTable& table) const {
     const AditCounts& n = adit_.counts();
@@ -224,6 +226,7 @@ class Run {
                    adit_.params().radars[i].name.c_str(), adit_.params().radars[i].period,
                    adit_.radars().quality(i).rangeSigma(), tws::degrees(adit_.radars().quality(i).azimuthSigma()),
                    adit_.radars().quality(i).falsePlotMap().perScan());
+      sumUpRegistration(i);
     }
   }
 
@@ -232,6 +235,23 @@ class Run {
     if (input_.moving.empty()) return addAndProcess(adit_, radar, input_.feeds[radar]->take());
     for (MovingFeed::Sector& next : input_.moving[radar].take())
       addAndProcess(adit_, radar, std::move(next.sector), next.ship);
+  }
+
+  /// Of a radar whose errors of registration other radars or references have told.
+  void sumUpRegistration(std::size_t radar) const {
+    const tws::RegistrationReport& r = adit_.registration().reports()[radar];
+    if (r.pairings == 0) return;
+    std::fprintf(stderr,
+                 "  registration      %s%s: range %+.0f m +- %.0f, gain %+.6f +- %.6f, azimuth %+.3f deg +- %.3f, "
+                 "eccentricity %+.3f %+.3f deg +- %.3f, clock %+.3f s +- %.3f; applied %+.0f m %+.3f deg %+.3f s; "
+                 "%llu pairings, %llu left out\n",
+                 tws::nameOf(r.state), r.relative_only ? " (relative)" : "", r.errors[tws::kRangeBias],
+                 r.sigmas[tws::kRangeBias], r.errors[tws::kRangeGain], r.sigmas[tws::kRangeGain],
+                 tws::degrees(r.errors[tws::kAzimuthBias]), tws::degrees(r.sigmas[tws::kAzimuthBias]),
+                 tws::degrees(r.errors[tws::kAzimuthSine]), tws::degrees(r.errors[tws::kAzimuthCosine]),
+                 tws::degrees(r.sigmas[tws::kAzimuthSine]), r.errors[tws::kClockOffset], r.sigmas[tws::kClockOffset],
+                 r.applied[tws::kRangeBias], tws::degrees(r.applied[tws::kAzimuthBias]), r.applied[tws::kClockOffset],
+                 static_cast<unsigned long long>(r.pairings), static_cast<unsigned long long>(r.rejected));
   }
 
   void sumUpOwnShip() const {
@@ -289,18 +309,27 @@ void run(const Options& options) {
               << (table.midnights == 1 ? " time" : " times") << " and are continued\n";
   if (table.plots == 0) throw std::runtime_error(options.detections + ": holds no usable plot");
   Input found = inputOf(options, table);
-  const std::vector<std::string> inputs{options.detections, options.clutter_map, options.params, options.own_ship};
+  const std::vector<std::string> inputs{options.detections, options.clutter_map, options.params, options.own_ship,
+                                        options.registration};
   if (!options.save_clutter_map.empty()) tws::checkOutputPath(options.save_clutter_map, inputs);
+  if (!options.save_registration.empty()) tws::checkOutputPath(options.save_registration, inputs);
   tws::OutputFile output(options.tracks, inputs);
   std::optional<tws::OutputFile> plots;
   if (!options.plots.empty()) plots.emplace(options.plots, inputs);
   Run tracker(options.epochs, std::move(found), output.stream());
   if (plots) tracker.tellPlots(plots->stream());
+  if (!options.registration.empty())
+    readRegistration(*tws::openText(options.registration), options.registration, tracker.adit());
   tracker.go();
   tracker.checkOwnShip(options);
   output.finish();
   if (plots) plots->finish();
   if (!options.save_clutter_map.empty()) saveClutterFile(options.save_clutter_map, tracker.maps());
+  if (!options.save_registration.empty()) {
+    tws::OutputFile saved(options.save_registration);
+    writeRegistration(saved.stream(), tracker.adit());
+    saved.finish();
+  }
   tracker.summary(table);
   // Who asks for clutter may have nothing else.
   const bool clutter = !(options.clutter_map + options.save_clutter_map).empty() && tracker.absorbed() > 0;
@@ -351,6 +380,10 @@ std::optional<int> parse(Options& options, int argc, char** argv) {
                  "clutter, false plots and cover that are known from the start: a file as saved");
   app.add_option("--save-clutter-map", options.save_clutter_map,
                  "write what is known of them at the end into this file");
+  app.add_option("--registration", options.registration,
+                 "radars' errors of registration that are known from the start: a file as saved");
+  app.add_option("--save-registration", options.save_registration,
+                 "write what is known of them at the end into this file");
   app.failure_message([](const CLI::App*, const CLI::Error& error) {
     return std::string("adit_csv: ") + error.what() + " (adit_csv --help says more)\n";
   });
@@ -359,8 +392,10 @@ std::optional<int> parse(Options& options, int argc, char** argv) {
     options.radars = parseRadars(radars);
     if (!options.own_ship.empty() && !(options.clutter_map + options.save_clutter_map).empty())
       throw std::invalid_argument("a clutter map is of one place: not with --own-ship");
-    checkOutputs(
-        {{"--tracks", options.tracks}, {"--plots", options.plots}, {"--save-clutter-map", options.save_clutter_map}});
+    checkOutputs({{"--tracks", options.tracks},
+                  {"--plots", options.plots},
+                  {"--save-clutter-map", options.save_clutter_map},
+                  {"--save-registration", options.save_registration}});
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 2;
   } catch (const std::invalid_argument& error) {

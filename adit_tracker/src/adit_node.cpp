@@ -3,6 +3,7 @@
 #include <tws_msgs/ClutterMap.h>
 #include <tws_msgs/PlotFates.h>
 #include <tws_msgs/RadarMap.h>
+#include <tws_msgs/Registration.h>
 #include <tws_msgs/Tracks.h>
 #include <tws_runtime/conversions.h>
 #include <tws_runtime/radar_inputs.h>
@@ -19,6 +20,7 @@
 #include "io/own_ship_gate.h"
 #include "io/radar_map_message.h"
 #include "io/radar_sites.h"
+#include "io/registration_message.h"
 #include "io/status_report.h"
 #include "io/track_messages.h"
 #include "io/trouble_report.h"
@@ -33,7 +35,8 @@ using tws_runtime::RadarInputs;
 
 // Of the reference radar: there the report sets its status words (ELEV).
 constexpr std::int64_t kStatusSector = 61;
-constexpr std::int64_t kMapScans = 4;  // of a radar, between two of its maps
+constexpr std::int64_t kMapScans = 4;              // of a radar, between two of its maps
+constexpr std::int64_t kRegistrationSectors = 32;  // of the reference radar, between two messages
 
 }  // namespace
 
@@ -45,6 +48,7 @@ class AditNode::Impl {
         tracks_(bus, "~tracks", params_.frame),
         clutter_(bus.advertise<tws_msgs::ClutterMap>("~clutter_map", true)),
         maps_(bus.advertise<tws_msgs::RadarMap>("~radar_maps")),
+        registration_(bus.advertise<tws_msgs::Registration>("~registration")),
         fates_(bus.advertise<tws_msgs::PlotFates>("~plot_fates")),
         status_(bus.advertise<tws_msgs::TrackerStatus>("~status")),
         elevation_(bus, params_.adit),
@@ -181,6 +185,8 @@ class AditNode::Impl {
     tracks_.publish(message);
     if (message.sector == 0) publishClutter(report);
     if (report.running % (kMapScans * tws::kSectors) == 0) publishRadarMap(report);
+    if (report.radar == adit_->radars().reference() && report.running % kRegistrationSectors == 0)
+      publishRegistration(report);
     elevation_.afterSector(*adit_, report);
     if (endsStatus(report)) status_due_ = report.enter_time;
   }
@@ -209,6 +215,16 @@ class AditNode::Impl {
     maps_.publish(message);
   }
 
+  void publishRegistration(const SectorReport& report) {
+    const bool alone = params_.adit.radars.size() < 2 && params_.adit.registration_references.empty();
+    if (alone || adit_->registration().mode() == tws::RegistrationMode::kOff) return;
+    tws_msgs::Registration message = registrationMessage(*adit_);
+    message.header.stamp = tws_runtime::toTime(report.enter_time);
+    message.header.frame_id = params_.frame;
+    message.tracker = bus_.name();
+    registration_.publish(message);
+  }
+
   NodeState state(ros::Time now) {
     NodeState state{operator_calls_, skipped_, bus_.counter("bad detections").value(), {}};
     for (const double heard : heard_) state.silence.push_back(tws_runtime::toSeconds(now) - heard);
@@ -229,6 +245,7 @@ class AditNode::Impl {
   tws_runtime::TrackWriter tracks_;
   tws_runtime::Publisher<tws_msgs::ClutterMap> clutter_;
   tws_runtime::Publisher<tws_msgs::RadarMap> maps_;
+  tws_runtime::Publisher<tws_msgs::Registration> registration_;
   tws_runtime::Publisher<tws_msgs::PlotFates> fates_;
   tws_runtime::Publisher<tws_msgs::TrackerStatus> status_;
   ElevationInterface elevation_;

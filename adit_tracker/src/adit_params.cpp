@@ -164,6 +164,7 @@ AditParams AditParams::named(const std::string& name) {
   p.capacity = 256;
   p.filter = FilterKind::kAlphaBeta;
   p.learn_noise = false;
+  p.registration.mode = tws::RegistrationMode::kOff;
   p.bifurcation = false;
   p.parting.firm_updates = 3;  // there is no other evidence
   p.gates = GateKind::kFixed;

@@ -10,6 +10,7 @@
 #include <tws_core/units.h>
 
 #include <tws_core/multiple_model_filter.h>
+#include <tws_core/registration.h>
 #include "core/gate.h"
 #include "core/volume_region.h"
 #include "elevation/elevation_params.h"
@@ -132,6 +133,14 @@ struct OperatorParams {
   double point_sigma = 500.0;  // How well an operator's point is placed [m].
 };
 
+/// A place of which radars report plots, and which is known: a site monitor, a mast, a moored buoy with a transponder.
+struct RegistrationReference {
+  std::string name;
+  double x = 0.0, y = 0.0;  // East and north of the first radar [m].
+  double height = 0.0;      // Above the radars' antennas [m].
+  double sigma = 10.0;      // How well the place is known [m].
+};
+
 /// What may differ from place to place.
 struct LocalParams {
   tws::MultipleModelParams turning;
@@ -176,6 +185,8 @@ struct AditParams : LocalParams {
   CoverageParams coverage;
   bool bifurcation = true;  // Two tracks may share merged plots, and one track may split into two.
   OperatorParams operators;
+  tws::RegistrationParams registration;  // Radars that disagree are aligned.
+  std::vector<RegistrationReference> registration_references;
   ElevationParams elevation;
 
   std::vector<Volume> volumes;  // The first that holds a place counts there; where none does, what stands here.

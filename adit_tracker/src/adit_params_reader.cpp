@@ -205,6 +205,53 @@ void readOperators(ParameterReader reader, OperatorParams& p) {
   reader.done();
 }
 
+void readReferences(ParameterReader& reader, std::vector<RegistrationReference>& all) {
+  std::vector<ParameterReader> entries = reader.list("references");
+  if (!reader.has("references")) return;
+  all.clear();
+  for (ParameterReader& entry : entries) {
+    RegistrationReference& reference = all.emplace_back();
+    entry.require("name");
+    entry.text("name", reference.name);
+    entry.number("x_m", reference.x, -kFarthest, kFarthest);
+    entry.number("y_m", reference.y, -kFarthest, kFarthest);
+    entry.number("height_m", reference.height, -1e4, 1e5);
+    entry.number("sigma_m", reference.sigma, 0.1, 1e4);
+    entry.done();
+  }
+}
+
+/// The same for each term; `suffix` stands before the unit.
+void readTerms(ParameterReader& reader, const std::string& suffix, tws::RegistrationTerms& terms) {
+  using tws::kRadiansPerDegree;
+  reader.number("range" + suffix + "_m", terms[tws::kRangeBias], 0.0, 1e5);
+  reader.number("gain" + suffix, terms[tws::kRangeGain], 0.0, 0.1);
+  scaledNumber(reader, "azimuth" + suffix + "_deg", terms[tws::kAzimuthBias], kRadiansPerDegree, 0.0, 5.0);
+  double eccentricity = terms[tws::kAzimuthSine];
+  scaledNumber(reader, "eccentricity" + suffix + "_deg", eccentricity, kRadiansPerDegree, 0.0, 5.0);
+  terms[tws::kAzimuthSine] = terms[tws::kAzimuthCosine] = eccentricity;
+  reader.number("clock" + suffix + "_s", terms[tws::kClockOffset], 0.0, 10.0);
+}
+
+void readRegistration(ParameterReader reader, AditParams& all) {
+  using tws::RegistrationMode;
+  tws::RegistrationParams& p = all.registration;
+  choice(reader, "mode", p.mode,
+         {{"apply", RegistrationMode::kOn}, {"freeze", RegistrationMode::kFreeze}, {"none", RegistrationMode::kOff}});
+  readTerms(reader, "_sigma", p.sigma);
+  readTerms(reader, "_drift", p.drift);
+  readTerms(reader, "_greatest", p.greatest);
+  readTerms(reader, "_rate", p.rate);
+  reader.number("significance", p.significance, 1.0, 100.0);
+  reader.number("unobservable", p.unobservable, 0.001, 1.0);
+  reader.number("gate_sigmas", p.gate, 1.0, 100.0);
+  reader.number("pairings_per_s", p.pairings_per_second, 0.01, 1000.0);
+  reader.number("settling_time_s", p.settling_time, 0.1, 1e4);
+  reader.number("learning_time_s", p.learning_time, 0.0, 1e5);
+  readReferences(reader, all.registration_references);
+  reader.done();
+}
+
 void readElevation(ParameterReader reader, ElevationParams& p) {
   reader.text("radar", p.radar);
   reader.integer("per_scan", p.per_scan, 1, 1000);
@@ -295,10 +342,10 @@ std::vector<Volume> readVolumes(ParameterReader& reader, const LocalParams& base
   if (entries.size() > kMostVolumes)
     reader.fail("volumes", std::to_string(entries.size()) + " are too many: at most " + std::to_string(kMostVolumes));
   for (ParameterReader& entry : entries) {
-    refuse(entry,
-           {"radars",      "iff",      "reference_radar", "capacity",       "skew_limit_s", "filter",      "alpha_beta",
-            "learn_noise", "gates",    "track_gates",     "gate_distances", "gate_sigmas",  "association", "life",
-            "timers",      "coverage", "bifurcation",     "operator",       "elevation",    "volumes"});
+    refuse(entry, {"radars",      "iff",          "reference_radar", "capacity",    "skew_limit_s",   "filter",
+                   "alpha_beta",  "learn_noise",  "gates",           "track_gates", "gate_distances", "gate_sigmas",
+                   "association", "life",         "timers",          "coverage",    "bifurcation",    "operator",
+                   "elevation",   "registration", "volumes"});
     Volume& volume = volumes.emplace_back();
     entry.require("name");
     entry.text("name", volume.name);
@@ -337,6 +384,7 @@ AditParams readAditParams(ParameterReader& reader, const std::string& default_se
   reader.flag("bifurcation", p.bifurcation);
   readParting(reader.map("parting"), p.parting);
   readOperators(reader.map("operator"), p.operators);
+  readRegistration(reader.map("registration"), p);
   readElevation(reader.map("elevation"), p.elevation);
   p.volumes = readVolumes(reader, p);
   return p;

@@ -71,6 +71,11 @@ std::vector<double> valuesOf(const AditParams& p) {
   v.insert(v.end(), {static_cast<double>(s.per_scan), static_cast<double>(s.new_per_scan),
                      static_cast<double>(s.every_scans), s.lead, static_cast<double>(s.automatic), s.sigma,
                      s.climb_sigma, s.climb_acceleration, s.gate_sigmas, s.greatest_sigma});
+  const tws::RegistrationParams& r = p.registration;
+  v.insert(v.end(), {static_cast<double>(r.mode), r.significance, r.unobservable, r.gate, r.pairings_per_second,
+                     r.settling_time, r.learning_time});
+  for (const tws::RegistrationTerms* terms : {&r.sigma, &r.drift, &r.greatest, &r.rate})
+    v.insert(v.end(), terms->begin(), terms->end());
   return v;
 }
 

@@ -46,8 +46,9 @@ Adit::Adit(const AditParams& params, Sink sink)
     : params_(checked(params)),
       sink_(std::move(sink)),
       radars_(params),
+      alignment_(params, radars_),
       order_(params.radars.size(), params.skew_limit, kSectorsAhead),
-      intake_(radars_, counts_, kSectorsAhead),
+      intake_(radars_, counts_, alignment_, kSectorsAhead),
       tracks_(params, radars_, counts_),
       meeting_(radars_, order_, tracks_.motion(), tracks_.file()),
       clutter_(params, radars_, counts_),
@@ -103,10 +104,13 @@ void Adit::skip() {
 void Adit::tellPlots(PlotTeller::Sink sink) {
   const auto tell = [this, sink = std::move(sink)](const SectorFates& sector) {
     const auto& ship = radars_.at(sector.radar).detections.at(sector.running).ship;
-    if (!ship) return sink(sector);
+    const auto& taken = radars_.at(sector.radar).detections.at(sector.running).taken;
+    if (!ship && taken == tws::RegistrationTerms{}) return sink(sector);
     SectorFates measured = sector;
-    for (PlotFate& fate : measured.plots)
-      asMeasured(origin(), *ship, fate.plot.time, fate.plot.range, fate.plot.azimuth);
+    for (PlotFate& fate : measured.plots) {
+      asTold(taken, fate.plot.time, fate.plot.range, fate.plot.azimuth);
+      if (ship) asMeasured(origin(), *ship, fate.plot.time, fate.plot.range, fate.plot.azimuth);
+    }
     sink(measured);
   };
   teller_.start(tell, radars_.size());
@@ -134,6 +138,7 @@ void Adit::process(const tws::SectorRef& sector) {
 
 void Adit::begin(const tws::SectorRef& sector) {
   if (!radars_.at(sector.radar).joined) joinSite(sector.radar);
+  alignment_.advance(radars_.antenna(sector.radar).timeAt(tws::Antenna::startOf(sector.running)));
   intake_.admit(sector);
   const double enter_time = radars_.antenna(sector.radar).timeAt(tws::Antenna::startOf(sector.running));
   iff_.apply(enter_time, tracks_.file(), tracks_.motion());
@@ -236,9 +241,11 @@ void Adit::correlate(const tws::SectorRef& sector) {
 void Adit::update(const tws::SectorRef& sector, TrackFile::Slot slot, Detection& detection) {
   Track& track = tracks_.at(slot);
   const bool claimed = detection.claim != Detection::kNoClaim;
-  tracks_.update(slot, sector, radars_.at(sector.radar).quality, detection.plot,
-                 bifurcation_.asSeenBy(track, detection), claimed && clutterOf(track).yields_to_tracks);
+  const tws::Plot* const merged = bifurcation_.asSeenBy(track, detection);
+  tracks_.update(slot, sector, radars_.at(sector.radar).quality, detection.plot, merged,
+                 claimed && clutterOf(track).yields_to_tracks);
   if (claimed && clutterYieldsTo(track)) clutter_.disclaim(detection.claim, sector.radar);
+  if (!merged) alignment_.add(tracks_.file(), slot, sector, detection);
   meeting_.predict(track, siteOf(sector));
 }
 
@@ -257,6 +264,9 @@ void Adit::updateWeighed(const tws::SectorRef& sector, const Correlation& correl
   if (!detection) suspectStrays(track, radars_.at(sector.radar), sector.running);
   if (!tracks_.updateWeighed(correlation, plots_, sector, claimed && clutterOf(track).yields_to_tracks)) return;
   if (claimed && clutterYieldsTo(track)) clutter_.disclaim(detection->claim, sector.radar);
+  const auto sure = [](const PlotChance& plot) { return plot.chance > 0.9; };
+  if (detection && std::any_of(plots_.begin(), plots_.end(), sure))
+    alignment_.add(tracks_.file(), correlation.slot, sector, *detection);
   meeting_.predict(track, siteOf(sector));
 }
 

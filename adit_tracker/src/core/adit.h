@@ -8,6 +8,7 @@
 
 #include "adit_params.h"
 #include "clutter/clutter_maps.h"
+#include "core/alignment.h"
 #include "core/bifurcation.h"
 #include "core/correlator.h"
 #include "core/duplicate_tracks.h"
@@ -71,6 +72,10 @@ class Adit {
   /// For operators.
   ManualControl& manual() { return manual_; }
 
+  /// How radars that disagree are aligned.
+  const tws::Registration& registration() const { return alignment_.registration(); }
+  tws::Registration& registration() { return alignment_.registration(); }
+
   const TrackBook& tracks() const { return tracks_; }
   const ClutterMaps& clutter() const { return clutter_; }
   const Radars& radars() const { return radars_; }
@@ -115,6 +120,7 @@ class Adit {
   PlotTeller teller_;
   AditCounts counts_;
   Radars radars_;
+  Alignment alignment_;
   tws::SectorOrder order_;
   SectorIntake intake_;
   TrackBook tracks_;

@@ -39,6 +39,7 @@ DetectionSector& DetectionFile::add(const tws::RadarSector& sector) {
   slot.detections.clear();
   for (const tws::Plot& plot : sector.plots) slot.detections.emplace_back().plot = plot;
   slot.ship.reset();
+  slot.taken = {};
   slot.index();
   return slot;
 }

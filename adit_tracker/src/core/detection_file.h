@@ -8,6 +8,7 @@
 
 #include <tws_core/angles.h>
 #include <tws_core/plot.h>
+#include <tws_core/registration.h>
 #include "core/passage.h"
 #include "core/plot_fates.h"
 
@@ -57,6 +58,7 @@ struct DetectionSector {
   std::int64_t running = -1;
   double enter_time = 0.0, leave_time = 0.0;
   std::optional<Passage> ship;        // own ship meanwhile, if the radar is on one
+  tws::RegistrationTerms taken{};     // errors of registration that were taken out of the plots
   std::vector<Detection> detections;  // in order of range
   std::vector<Place> places;          // theirs, side by side for the search
   std::vector<std::uint32_t> begins;  // of each range bin, in `places`; as many bins as detections

@@ -91,7 +91,7 @@ struct RadarState {
   DetectionFile detections;
   RadarQuality quality;
   std::deque<WaitingSector> waiting;
-  tws::RadarSector latest;   // of those that are not waiting, as it came; on own ship only
+  tws::RadarSector latest;   // of those that are not waiting, as it came; on own ship or when radars are aligned
   std::optional<Pose> pose;  // when the sector processed last began, on own ship
   tws::SiteFrame frame;
   std::size_t site = 0;

@@ -67,11 +67,18 @@ void SectorIntake::admit(const tws::SectorRef& sector) {
   RadarState& radar = radars_.at(sector.radar);
   auto& waiting = radar.waiting;
   for (; !waiting.empty() && waiting.front().sector.running <= sector.running + ahead_; waiting.pop_front())
-    letIn(radar, waiting.front());
+    letIn(sector.radar, waiting.front());
 }
 
-void SectorIntake::letIn(RadarState& radar, WaitingSector& next) {
+void SectorIntake::letIn(std::size_t index, WaitingSector& next) {
+  RadarState& radar = radars_.at(index);
   tws::RadarSector& sector = next.sector;
+  const bool aligned = !next.ship && alignment_.isOn();
+  if (aligned) {
+    radar.latest = sector;
+    alignment_.look(index, sector);
+    alignment_.correct(index, sector);
+  }
   radar.antenna.cross(sector.running, sector.enter_time);
   radar.antenna.cross(sector.running + 1, sector.leave_time);
   for (const tws::Plot& plot : sector.plots) radar.quality.falsePlotMap().addRange(plot.range);
@@ -79,7 +86,9 @@ void SectorIntake::letIn(RadarState& radar, WaitingSector& next) {
     radar.latest = sector;
     for (tws::Plot& plot : sector.plots) plot = seenFrom(radars_.origin(), *next.ship, plot);
   }
-  radar.detections.add(sector).ship = next.ship;
+  DetectionSector& taken_in = radar.detections.add(sector);
+  taken_in.ship = next.ship;
+  if (aligned) taken_in.taken = alignment_.registration().applied(index);
 }
 
 }  // namespace adit_tracker

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "core/adit_counts.h"
+#include "core/alignment.h"
 #include "core/radars.h"
 
 namespace adit_tracker {
@@ -11,9 +12,9 @@ namespace adit_tracker {
 /// processing of one see no more than it may.
 class SectorIntake {
  public:
-  /// How many sectors of a radar the processing of one looks at beyond it.
-  SectorIntake(Radars& radars, AditCounts& counts, std::int64_t ahead)
-      : radars_(radars), counts_(counts), ahead_(ahead) {}
+  /// `ahead`: how many sectors of a radar the processing of one looks at beyond it.
+  SectorIntake(Radars& radars, AditCounts& counts, Alignment& alignment, std::int64_t ahead)
+      : radars_(radars), counts_(counts), alignment_(alignment), ahead_(ahead) {}
 
   /// A closed sector of a radar. Plots that are not finite or whose range is not in (0, 10 000 km] are left out and
   /// counted; so are late ones, of which the beam met the target more than a sector before it entered this one, and
@@ -27,10 +28,11 @@ class SectorIntake {
  private:
   void sift(std::size_t radar, tws::RadarSector& sector);
   bool cameBefore(std::size_t radar, std::int64_t running, const tws::Plot& plot);
-  void letIn(RadarState& radar, WaitingSector& next);
+  void letIn(std::size_t index, WaitingSector& next);
 
   Radars& radars_;
   AditCounts& counts_;
+  Alignment& alignment_;
   std::int64_t ahead_;
 };
 

@@ -23,9 +23,11 @@ class SectorIntakeTest : public testing::Test {
     return sector;
   }
 
-  Radars radars_{paramsFor("default", {6.4})};
+  AditParams params_ = paramsFor("default", {6.4});
+  Radars radars_{params_};
+  Alignment alignment_{params_, radars_};
   AditCounts counts_;
-  SectorIntake intake_{radars_, counts_, 4};
+  SectorIntake intake_{radars_, counts_, alignment_, 4};
 };
 
 // If this fails, one bad plot of a radar crashes the tracker or becomes a track.

@@ -41,6 +41,21 @@ void judgeRadars(const Adit& adit, const NodeState& state, Diagnosis& diagnosis)
   if (stale == state.silence.size()) diagnosis.level = Level::kError;
 }
 
+/// Radars whose errors of registration want a person's attention.
+void judgeRegistration(const Adit& adit, Diagnosis& diagnosis) {
+  using tws::RegistrationState;
+  const auto& reports = adit.registration().reports();
+  for (std::size_t i = 0; i < reports.size() && reports.size() > 1; ++i) {
+    const RegistrationState state = reports[i].state;
+    const std::string& radar = adit.params().radars[i].name;
+    if (state != RegistrationState::kOff) diagnosis.values.emplace_back("registration of " + radar, tws::nameOf(state));
+    if (state == RegistrationState::kTooLarge)
+      add(diagnosis, Level::kWarning, radar + "'s errors of registration are too large to be corrected");
+    if (state == RegistrationState::kDrifting)
+      add(diagnosis, Level::kWarning, radar + "'s errors of registration are drifting");
+  }
+}
+
 void judgeLoad(const Adit& adit, const NodeState& state, const std::vector<std::size_t>& ready, Diagnosis& diagnosis) {
   const std::string numbers = std::to_string(adit.tracks().size()) + " of " +
                               std::to_string(adit.params().capacity - 1) + " track numbers are in use";
@@ -122,6 +137,7 @@ Diagnosis diagnosisOf(const Adit& adit, const NodeState& state) {
   const std::vector<std::size_t> ready = adit.order().ready();
   judgeRadars(adit, state, diagnosis);
   judgeLoad(adit, state, ready, diagnosis);
+  judgeRegistration(adit, diagnosis);
   if (diagnosis.summary.empty()) diagnosis.summary = "caught up";
   list(adit, state, ready, diagnosis);
   return diagnosis;
