@@ -29,6 +29,7 @@ constexpr double kTwoPi = 6.283185307179586;
 constexpr double kStart = 1000.0;
 constexpr double kPeriod = 6.0;
 constexpr std::uint32_t kSectors = 64;
+constexpr std::uint32_t kOverflow = 20;  // overflow_sectors: more behind the radars are passed over
 
 double timeOf(std::uint32_t sector) { return kStart + kPeriod / kSectors * sector; }
 
@@ -175,14 +176,21 @@ TEST_F(Overload, SectorsArePassedOverItIsSaidOperatorsAreToldToAskAgainAndTracks
   ASSERT_EQ(firm_.size(), 2U);
   ASSERT_EQ(ask(), tws_msgs::OperatorCommand::Response::OK);
 
-  // Each flood spans sector 20, and not sector 50, of one turn.
+  // As many sectors at once as the tracker lets stand, with the four that it needs ahead: operators have to wait.
   bool busy = false;
-  for (std::uint32_t turn = 0; turn < 10 && !(busy && skipped_ > 0); ++turn) {
-    flood(40);
-    busy = ask() == tws_msgs::OperatorCommand::Response::BUSY || busy;
+  for (std::uint32_t turn = 0; turn < 10 && !busy; ++turn) {
+    flood(kOverflow - 4);
+    busy = ask() == tws_msgs::OperatorCommand::Response::BUSY;
     flyTo(kFirst + (turn + 1) * kSectors);
   }
   EXPECT_TRUE(busy);
+
+  // Each flood spans sector 20, and not sector 50, of one turn.
+  const std::uint32_t second = running_;
+  for (std::uint32_t turn = 0; turn < 10 && skipped_ == 0; ++turn) {
+    flood(2 * kOverflow);
+    flyTo(second + (turn + 1) * kSectors);
+  }
   EXPECT_GT(skipped_, 0U);
   EXPECT_TRUE(waitFor([this] { return !said_skipped_.empty() && said_skipped_ != "0"; })) << said_skipped_;
 
