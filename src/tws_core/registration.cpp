@@ -223,10 +223,7 @@ bool Registration::add(const RegistrationPairing& pairing) {
   if (!used) return false;
   const std::size_t a = pairing.first.radar, b = pairing.second.radar;
   ++reports_[a].pairings;
-  if (pairing.absolute) {
-    ++radars_[a].references;
-    return true;
-  }
+  if (pairing.absolute) return true;
   ++reports_[b].pairings;
   ++radars_[a].partners[b];
   ++radars_[b].partners[a];
@@ -285,56 +282,75 @@ void Registration::judgeRadar(std::size_t radar) {
   }
   const Block own = filter_.block(radar, radar), noise = filter_.noise(radar);
   const std::array<double, 3> alone = sharesOf(own, 1.0);
-  report.known = alone;
+  report.known = knownOf(radar, alone);
+  report.relative_only = false;
+  bool any = false;
+  for (std::size_t g = 0; g < kGroups.size(); ++g) {
+    const bool observable = report.known[g] < params_.unobservable;
+    any = any || observable;
+    report.relative_only = report.relative_only || (observable && alone[g] > 2.0 * params_.unobservable);
+    r.significant[g] = observable && isSignificant(radar, g, own, noise);
+    const auto [first, size] = kGroups[g];
+    for (auto i = static_cast<std::size_t>(first); r.significant[g] && i < static_cast<std::size_t>(first + size); ++i)
+      r.wanted[i] = report.errors[i];
+  }
+  bool too_large = false;
+  for (std::size_t i = 0; i < kRegistrationTerms; ++i)
+    too_large = too_large || std::abs(r.wanted[i]) > params_.greatest[i];
+  if (too_large) r.wanted = {};
+  const bool drifting = isDrifting(radar, noise, any);
+  report.state = stateOf(radar, any, too_large, drifting);
+}
+
+/// Against the radar that tells most, if not against true places.
+std::array<double, 3> Registration::knownOf(std::size_t radar, const std::array<double, 3>& alone) const {
+  std::array<double, 3> known = alone;
+  const Block own = filter_.block(radar, radar);
   for (std::size_t other = 0; other < radars_.size(); ++other) {
-    if (r.partners[other] == 0) continue;
+    if (radars_[radar].partners[other] == 0) continue;
     const Block across = filter_.block(radar, other);
     const auto against = sharesOf(own - across - across.transpose() + filter_.block(other, other), 2.0);
-    for (std::size_t g = 0; g < kGroups.size(); ++g) report.known[g] = std::min(report.known[g], against[g]);
+    for (std::size_t g = 0; g < kGroups.size(); ++g) known[g] = std::min(known[g], against[g]);
   }
-  bool any = false, too_large = false;
-  report.relative_only = false;
-  for (std::size_t g = 0; g < kGroups.size(); ++g) {
-    const auto [first, size] = kGroups[g];
-    r.observable[g] = report.known[g] < params_.unobservable;
-    any = any || r.observable[g];
-    report.relative_only = report.relative_only || (r.observable[g] && alone[g] > 2.0 * params_.unobservable);
-    Eigen::VectorXd value(size);
-    for (Eigen::Index i = 0; i < size; ++i) value[i] = report.errors[static_cast<std::size_t>(first + i)];
-    Eigen::MatrixXd spread = noise.block(first, first, size, size);
-    for (Eigen::Index i = 0; i < size; ++i) spread(i, i) += 1e-9 * own(first + i, first + i);
-    const double squared = value.dot(spread.ldlt().solve(value)) - static_cast<double>(size - 1);
-    const double least = (r.significant[g] ? 0.5 : 1.0) * params_.significance;
-    r.significant[g] = r.observable[g] && squared > least * least;
-    for (auto i = static_cast<std::size_t>(first); i < static_cast<std::size_t>(first + size); ++i) {
-      too_large = too_large || (r.significant[g] && std::abs(report.errors[i]) > params_.greatest[i]);
-      if (r.significant[g]) r.wanted[i] = report.errors[i];
-    }
+  return known;
+}
+
+/// Is a group of errors further from 0 than noise explains? What has been taken out stays so for longer.
+bool Registration::isSignificant(std::size_t radar, std::size_t group, const Block& own, const Block& noise) const {
+  const auto [first, size] = kGroups[group];
+  Eigen::VectorXd value(size);
+  for (Eigen::Index i = 0; i < size; ++i) value[i] = reports_[radar].errors[static_cast<std::size_t>(first + i)];
+  Eigen::MatrixXd spread = noise.block(first, first, size, size);
+  for (Eigen::Index i = 0; i < size; ++i) spread(i, i) += 1e-9 * own(first + i, first + i);
+  const double squared = value.dot(spread.ldlt().solve(value)) - static_cast<double>(size - 1);
+  const double least = (radars_[radar].significant[group] ? 0.5 : 1.0) * params_.significance;
+  return squared > least * least;
+}
+
+/// Has an error changed since a while ago, beyond the noise? It is looked at from time to time.
+bool Registration::isDrifting(std::size_t radar, const Block& noise, bool observable) {
+  constexpr double kLookBack = 120.0;  // [s]
+  Radar& r = radars_[radar];
+  const RegistrationReport& report = reports_[radar];
+  if (time_ - r.earlier_time < kLookBack) return report.state == RegistrationState::kDrifting;
+  bool drifting = false;
+  for (std::size_t i = 0; i < kRegistrationTerms && observable; ++i) {
+    const auto k = static_cast<Eigen::Index>(i);
+    const double step = std::abs(report.errors[i] - r.earlier[i]);
+    drifting = drifting || (time_ - r.first_time > 2.5 * kLookBack && step * step > 16.0 * std::max(0.0, noise(k, k)) &&
+                            step > 0.5 * params_.drift[i]);
   }
-  if (too_large) r.wanted = {};
-  // Drift: what changed since a while ago, beyond the noise.
-  constexpr double kLookBack = 120.0;
-  bool drifting = report.state == RegistrationState::kDrifting;
-  if (time_ - r.earlier_time >= kLookBack) {
-    drifting = false;
-    for (std::size_t i = 0; i < kRegistrationTerms && any; ++i) {
-      const auto k = static_cast<Eigen::Index>(i);
-      const double step = std::abs(report.errors[i] - r.earlier[i]);
-      drifting = drifting || (time_ - r.first_time > 2.5 * kLookBack &&
-                              step * step > 16.0 * std::max(0.0, noise(k, k)) && step > 0.5 * params_.drift[i]);
-    }
-    r.earlier = report.errors;
-    r.earlier_time = time_;
-  }
-  if (mode_ == RegistrationMode::kFreeze)
-    report.state = RegistrationState::kFrozen;
-  else if (too_large)
-    report.state = RegistrationState::kTooLarge;
-  else if (any)
-    report.state = drifting ? RegistrationState::kDrifting : RegistrationState::kApplied;
-  else
-    report.state =
-        time_ - r.first_time < params_.learning_time ? RegistrationState::kLearning : RegistrationState::kUnobservable;
+  r.earlier = report.errors;
+  r.earlier_time = time_;
+  return drifting;
+}
+
+RegistrationState Registration::stateOf(std::size_t radar, bool observable, bool too_large, bool drifting) const {
+  if (mode_ == RegistrationMode::kFreeze) return RegistrationState::kFrozen;
+  if (too_large) return RegistrationState::kTooLarge;
+  if (observable) return drifting ? RegistrationState::kDrifting : RegistrationState::kApplied;
+  const bool early = time_ - radars_[radar].first_time < params_.learning_time;
+  return early ? RegistrationState::kLearning : RegistrationState::kUnobservable;
 }
 
 /// Slowly, so that tracks follow.

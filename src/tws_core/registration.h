@@ -152,16 +152,20 @@ class Registration {
  private:
   void judge();
   void judgeRadar(std::size_t radar);
+  std::array<double, 3> knownOf(std::size_t radar, const std::array<double, 3>& alone) const;
+  bool isSignificant(std::size_t radar, std::size_t group, const RegistrationFilter::Block& own,
+                     const RegistrationFilter::Block& noise) const;
+  bool isDrifting(std::size_t radar, const RegistrationFilter::Block& noise, bool observable);
+  RegistrationState stateOf(std::size_t radar, bool observable, bool too_large, bool drifting) const;
   void apply(double dt);
   void noteRejection(const RegistrationPairing& pairing, bool rejected);
   std::array<double, 3> sharesOf(const RegistrationFilter::Block& left, double times) const;
 
   struct Radar {
-    std::array<bool, 3> significant{}, observable{};
+    std::array<bool, 3> significant{};
     RegistrationTerms wanted{}, earlier{};
     double first_time = 0.0, earlier_time = 0.0, rejection = 0.0;
     std::vector<std::uint64_t> partners;  // pairings with each
-    std::uint64_t references = 0;
   };
 
   RegistrationParams params_;
