@@ -216,8 +216,7 @@ class AditNode::Impl {
   }
 
   void publishRegistration(const SectorReport& report) {
-    const bool alone = params_.adit.radars.size() < 2 && params_.adit.registration_references.empty();
-    if (alone || adit_->registration().mode() == tws::RegistrationMode::kOff) return;
+    if (!adit_->learnsRegistration()) return;
     tws_msgs::Registration message = registrationMessage(*adit_);
     message.header.stamp = tws_runtime::toTime(report.enter_time);
     message.header.frame_id = params_.frame;

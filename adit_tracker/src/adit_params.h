@@ -211,6 +211,9 @@ struct AditParams : LocalParams {
 /// No radar sees further [m]: plots and places beyond are mistakes, and their squares must stay finite.
 constexpr double kFarthest = 1e7;
 
+/// Larger range rates are mistakes [m/s].
+constexpr double kFastestRate = 1e5;
+
 /// Can radars at different sites be joined? That needs the turning filter, which is on the plane, and a clutter map for
 /// each radar.
 bool joinsSites(const AditParams& params);

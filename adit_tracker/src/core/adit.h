@@ -75,6 +75,7 @@ class Adit {
   /// How radars that disagree are aligned.
   const tws::Registration& registration() const { return alignment_.registration(); }
   tws::Registration& registration() { return alignment_.registration(); }
+  bool learnsRegistration() const { return alignment_.learns(); }
 
   const TrackBook& tracks() const { return tracks_; }
   const ClutterMaps& clutter() const { return clutter_; }

@@ -48,6 +48,16 @@ const tws::RegistrationTerms& takenOf(DetectionFile& file, std::int64_t running,
 
 }  // namespace
 
+void takeOut(const tws::RegistrationTerms& errors, tws::RadarSector& sector) {
+  sector.enter_time -= errors[tws::kClockOffset];
+  sector.leave_time -= errors[tws::kClockOffset];
+  for (tws::Plot& plot : sector.plots) {
+    plot.time -= errors[tws::kClockOffset];
+    plot.range = std::max((plot.range - errors[tws::kRangeBias]) / (1.0 + errors[tws::kRangeGain]), 1.0);
+    plot.azimuth = tws::wrapTwoPi(plot.azimuth - tws::azimuthError(errors, plot.azimuth));
+  }
+}
+
 void asTold(const tws::RegistrationTerms& taken, double& time, double& range, double& azimuth) {
   constexpr int kIterations = 3;
   time += taken[tws::kClockOffset];
@@ -64,18 +74,6 @@ Alignment::Alignment(const AditParams& params, Radars& radars)
 
 void Alignment::advance(double time) {
   if (isOn()) registration_.advance(time);
-}
-
-void Alignment::correct(std::size_t radar, tws::RadarSector& sector) const {
-  const tws::RegistrationTerms& errors = registration_.applied(radar);
-  if (errors == kNone) return;
-  sector.enter_time -= errors[tws::kClockOffset];
-  sector.leave_time -= errors[tws::kClockOffset];
-  for (tws::Plot& plot : sector.plots) {
-    plot.time -= errors[tws::kClockOffset];
-    plot.range = std::max((plot.range - errors[tws::kRangeBias]) / (1.0 + errors[tws::kRangeGain]), 1.0);
-    plot.azimuth = tws::wrapTwoPi(plot.azimuth - tws::azimuthError(errors, plot.azimuth));
-  }
 }
 
 /// Of two radars, the plots of the one with longer scans are compared with those of the other around them.

@@ -21,12 +21,11 @@ class Alignment {
 
   /// Off: it costs nothing, and changes nothing.
   bool isOn() const { return registration_.mode() != tws::RegistrationMode::kOff; }
+  /// Is there anything to learn from?
+  bool learns() const { return isOn() && (radars_.size() > 1 || !references_.empty()); }
 
   /// The sector of that running number of a radar is processed next [s].
   void advance(double time);
-
-  /// Takes the radar's known errors out of a sector: plots, and times of the beam.
-  void correct(std::size_t radar, tws::RadarSector& sector) const;
 
   /// A sector with plots as they came: looks for references among them.
   void look(std::size_t radar, const tws::RadarSector& sector);
@@ -58,6 +57,8 @@ class Alignment {
   std::vector<History> histories_;  // by slot
 };
 
+/// Takes a radar's errors out of a sector: plots, and times of the beam.
+void takeOut(const tws::RegistrationTerms& errors, tws::RadarSector& sector);
 /// The way back: sets a plot's range, azimuth and time to what its radar has told.
 void asTold(const tws::RegistrationTerms& taken, double& time, double& range, double& azimuth);
 

@@ -32,9 +32,8 @@ class RadarQuality {
   /// One of its range rates [m/s]; NaN: unknown, as all are of a radar whose rates are of no use, and those that are
   /// mistakes. Place and height are still to be filled in.
   tws::RangeRate rangeRate(double value) const {
-    constexpr double kFastest = 1e5;  // [m/s]
     tws::RangeRate rate = rate_;
-    if (measuresRates() && std::abs(value) <= kFastest) rate.value = value;
+    if (measuresRates() && std::abs(value) <= kFastestRate) rate.value = value;
     return rate;
   }
   /// Over how many m/s those of its false plots are spread evenly.
@@ -91,7 +90,7 @@ struct RadarState {
   DetectionFile detections;
   RadarQuality quality;
   std::deque<WaitingSector> waiting;
-  tws::RadarSector latest;   // of those that are not waiting, as it came; on own ship or when radars are aligned
+  tws::RadarSector latest;   // of those that are not waiting, as it came; on own ship, or where errors were taken out
   std::optional<Pose> pose;  // when the sector processed last began, on own ship
   tws::SiteFrame frame;
   std::size_t site = 0;

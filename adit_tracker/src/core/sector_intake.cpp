@@ -73,11 +73,14 @@ void SectorIntake::admit(const tws::SectorRef& sector) {
 void SectorIntake::letIn(std::size_t index, WaitingSector& next) {
   RadarState& radar = radars_.at(index);
   tws::RadarSector& sector = next.sector;
-  const bool aligned = !next.ship && alignment_.isOn();
-  if (aligned) {
-    radar.latest = sector;
+  tws::RegistrationTerms taken{};
+  if (!next.ship && alignment_.isOn()) {
     alignment_.look(index, sector);
-    alignment_.correct(index, sector);
+    taken = alignment_.registration().applied(index);
+  }
+  if (taken != tws::RegistrationTerms{}) {
+    radar.latest = sector;
+    takeOut(taken, sector);
   }
   radar.antenna.cross(sector.running, sector.enter_time);
   radar.antenna.cross(sector.running + 1, sector.leave_time);
@@ -88,7 +91,7 @@ void SectorIntake::letIn(std::size_t index, WaitingSector& next) {
   }
   DetectionSector& taken_in = radar.detections.add(sector);
   taken_in.ship = next.ship;
-  if (aligned) taken_in.taken = alignment_.registration().applied(index);
+  taken_in.taken = taken;
 }
 
 }  // namespace adit_tracker

@@ -9,6 +9,7 @@
 #include <tws_core/csv_table.h>
 #include <tws_core/units.h>
 
+#include "adit_params.h"
 #include "io/csv_angle.h"
 
 namespace adit_tracker {
@@ -17,7 +18,6 @@ namespace {
 constexpr std::size_t kMostComplaints = 10;
 constexpr double kLongestPause = 600.0;           // within a stretch of plots [s]
 constexpr std::size_t kFewestPlots = 3;           // of a stretch: fewer make no track
-constexpr double kFastestRate = 1e5;              // of range rates [m/s]
 constexpr double kFarthestAway = 30.0 * 86400.0;  // from the longest stretch [s]
 
 /// Where the columns are; those that need not be there are columns() of the table when they are not.
