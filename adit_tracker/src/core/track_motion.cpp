@@ -5,6 +5,7 @@
 
 #include <tws_core/angles.h>
 #include <tws_core/refraction.h>
+#include "core/rate_evidence.h"
 
 namespace adit_tracker {
 namespace {
@@ -72,23 +73,10 @@ double updatePlace(FixedPlace& place, const tws::PlanarPosition& z) {
   return log_likelihood;
 }
 
-/// Log-likelihood of a range rate under "it does not move", against that of a false plot. What stands may drift, as
-/// rain does, or turn, as rotors do, and then show any rate.
-double standingRate(const tws::RangeRate& rate, double span) {
-  constexpr double kDrift = 10.0, kTurns = 0.1;  // standard deviation [m/s], share of what stands
-  const double variance = rate.sigma * rate.sigma + kDrift * kDrift, off = rate.difference(rate.value, 0.0);
-  const double drifts = span * std::exp(-0.5 * off * off / variance) / std::sqrt(tws::kTwoPi * variance);
-  return std::log((1.0 - kTurns) * drifts + kTurns);
-}
-
-/// What the rate that comes with a plot adds to log-likelihoods that are compared with those of false plots.
-double againstFalse(const tws::RangeRate& rate, const RadarQuality& quality) {
-  return rate.known() ? std::log(quality.rateSpan()) : 0.0;
-}
-
-/// The same of one that stands.
-double standingAgainstFalse(const tws::RangeRate& rate, const RadarQuality& quality) {
-  return rate.known() ? standingRate(rate, quality.rateSpan()) : 0.0;
+/// Log-likelihood of a plot under "it does not move", that of its range rate against a false plot's.
+double updateStanding(FixedPlace& place, const tws::PlanarPosition& z, const tws::RangeRate& rate,
+                      const RadarQuality& quality) {
+  return updatePlace(place, z) + standingAgainstFalse(rate, quality);
 }
 
 /// Above the antenna [m]; NaN: the plot tells none.
@@ -255,7 +243,7 @@ void TrackMotion::update(Track& track, const std::vector<PlotChance>& plots, dou
     if (!track.firm && p.chance > 0.5) {
       tws::MultipleModelFilter copy = filter;
       const double moving = copy.update(z, rate, dt, turningOf(track)) + againstFalse(rate, quality);
-      const double standing = updatePlace(track.fixed, z) + standingAgainstFalse(rate, quality);
+      const double standing = updateStanding(track.fixed, z, rate, quality);
       track.fixed.moving_evidence += p.chance * (moving - standing);
     }
   }
@@ -283,8 +271,7 @@ double TrackMotion::updateTurning(Track& track, const tws::Plot& plot, const Rad
       tws::planarMeasurement(plot.range, plot.azimuth, quality.rangeSigma(plot), quality.azimuthSigma(plot));
   const tws::RangeRate rate = quality.rangeRate(plot.range_rate);
   const double log_likelihood = filter.update(z, rate, dt, turningOf(track)) + againstFalse(rate, quality);
-  if (!track.firm)
-    track.fixed.moving_evidence += log_likelihood - updatePlace(track.fixed, z) - standingAgainstFalse(rate, quality);
+  if (!track.firm) track.fixed.moving_evidence += log_likelihood - updateStanding(track.fixed, z, rate, quality);
   track.smoothed = fromPlanar(filter.mean(), track.smoothed.time + dt);
   return log_likelihood;
 }
@@ -301,10 +288,7 @@ double TrackMotion::updateJoined(Track& track, const tws::Plot& plot, const Rada
   const tws::PlanarPosition wider = guess.against(z), predicted = filter.predictPosition(dt, turningOf(track));
   const tws::RangeRate rate = rateOf(track, plot.range_rate, quality, radar);
   const double log_likelihood = filter.update(wider, rate, dt, turningOf(track)) + againstFalse(rate, quality);
-  if (!track.firm) {
-    track.fixed.moving_evidence +=
-        log_likelihood - updatePlace(track.fixed, wider) - standingAgainstFalse(rate, quality);
-  }
+  if (!track.firm) track.fixed.moving_evidence += log_likelihood - updateStanding(track.fixed, wider, rate, quality);
   shift(track, guess.learn(z, predicted, turningOf(track).assumed_height));
   track.smoothed = fromPlanar(filter.mean(), track.smoothed.time + dt);
   return log_likelihood;
