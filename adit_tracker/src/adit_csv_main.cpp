@@ -27,6 +27,7 @@
 #include "io/plot_csv.h"
 #include "io/radar_spec.h"
 #include "io/registration_csv.h"
+#include "io/registration_text.h"
 #include "io/sector_feed.h"
 #include "io/snapshot_feed.h"
 #include "io/track_csv.h"
@@ -226,7 +227,8 @@ class Run {
                    adit_.params().radars[i].name.c_str(), adit_.params().radars[i].period,
                    adit_.radars().quality(i).rangeSigma(), tws::degrees(adit_.radars().quality(i).azimuthSigma()),
                    adit_.radars().quality(i).falsePlotMap().perScan());
-      sumUpRegistration(i);
+      const tws::RegistrationReport& registration = adit_.registration().reports()[i];
+      if (registration.pairings > 0) std::fprintf(stderr, "  registration      %s\n", inWords(registration).c_str());
     }
   }
 
@@ -235,23 +237,6 @@ class Run {
     if (input_.moving.empty()) return addAndProcess(adit_, radar, input_.feeds[radar]->take());
     for (MovingFeed::Sector& next : input_.moving[radar].take())
       addAndProcess(adit_, radar, std::move(next.sector), next.ship);
-  }
-
-  /// Of a radar whose errors of registration other radars or references have told.
-  void sumUpRegistration(std::size_t radar) const {
-    const tws::RegistrationReport& r = adit_.registration().reports()[radar];
-    if (r.pairings == 0) return;
-    std::fprintf(stderr,
-                 "  registration      %s%s: range %+.0f m +- %.0f, gain %+.6f +- %.6f, azimuth %+.3f deg +- %.3f, "
-                 "eccentricity %+.3f %+.3f deg +- %.3f, clock %+.3f s +- %.3f; applied %+.0f m %+.3f deg %+.3f s; "
-                 "%llu pairings, %llu left out\n",
-                 tws::nameOf(r.state), r.relative_only ? " (relative)" : "", r.errors[tws::kRangeBias],
-                 r.sigmas[tws::kRangeBias], r.errors[tws::kRangeGain], r.sigmas[tws::kRangeGain],
-                 tws::degrees(r.errors[tws::kAzimuthBias]), tws::degrees(r.sigmas[tws::kAzimuthBias]),
-                 tws::degrees(r.errors[tws::kAzimuthSine]), tws::degrees(r.errors[tws::kAzimuthCosine]),
-                 tws::degrees(r.sigmas[tws::kAzimuthSine]), r.errors[tws::kClockOffset], r.sigmas[tws::kClockOffset],
-                 r.applied[tws::kRangeBias], tws::degrees(r.applied[tws::kAzimuthBias]), r.applied[tws::kClockOffset],
-                 static_cast<unsigned long long>(r.pairings), static_cast<unsigned long long>(r.rejected));
   }
 
   void sumUpOwnShip() const {
@@ -325,11 +310,7 @@ void run(const Options& options) {
   output.finish();
   if (plots) plots->finish();
   if (!options.save_clutter_map.empty()) saveClutterFile(options.save_clutter_map, tracker.maps());
-  if (!options.save_registration.empty()) {
-    tws::OutputFile saved(options.save_registration);
-    writeRegistration(saved.stream(), tracker.adit());
-    saved.finish();
-  }
+  if (!options.save_registration.empty()) saveRegistrationFile(options.save_registration, tracker.adit());
   tracker.summary(table);
   // Who asks for clutter may have nothing else.
   const bool clutter = !(options.clutter_map + options.save_clutter_map).empty() && tracker.absorbed() > 0;

@@ -3,8 +3,10 @@
 #include <array>
 #include <cstdio>
 #include <stdexcept>
+#include <vector>
 
 #include <tws_core/csv_table.h>
+#include <tws_core/output_file.h>
 
 namespace adit_tracker {
 namespace {
@@ -42,7 +44,10 @@ void writeRegistration(std::ostream& output, const Adit& adit) {
 void readRegistration(std::istream& input, const std::string& name, Adit& adit) {
   tws::CsvTable table(input, name);
   const std::size_t radar = table.require("radar"), term = table.require("term"), value = table.require("value");
-  const std::size_t rows = adit.params().radars.size() * kNames.size();
+  std::vector<std::size_t> columns;
+  for (const RadarParams& each : adit.params().radars)
+    for (std::size_t i = 0; i < kNames.size(); ++i) columns.push_back(table.require(columnOf(each.name, i)));
+  const std::size_t rows = columns.size();
   const auto size = static_cast<Eigen::Index>(rows);
   Eigen::VectorXd mean(size);
   Eigen::MatrixXd covariance(size, size);
@@ -53,10 +58,8 @@ void readRegistration(std::istream& input, const std::string& name, Adit& adit) 
     if (table.text(radar) != expected || table.text(term) != kNames[row % kNames.size()])
       table.fail("wants " + std::string(kNames[row % kNames.size()]) + " of radar " + expected);
     mean[static_cast<Eigen::Index>(row)] = table.number(value);
-    for (std::size_t column = 0; column < rows; ++column) {
-      const std::string of = columnOf(adit.params().radars[column / kNames.size()].name, column % kNames.size());
-      covariance(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(column)) = table.number(table.require(of));
-    }
+    for (std::size_t i = 0; i < rows; ++i)
+      covariance(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(i)) = table.number(columns[i]);
   }
   if (row < rows)
     throw std::runtime_error(name + ": has " + std::to_string(row) + " rows, not " + std::to_string(rows));
@@ -65,6 +68,12 @@ void readRegistration(std::istream& input, const std::string& name, Adit& adit) 
   } catch (const std::invalid_argument& error) {
     throw std::runtime_error(name + ": " + error.what());
   }
+}
+
+void saveRegistrationFile(const std::string& path, const Adit& adit) {
+  tws::OutputFile output(path);
+  writeRegistration(output.stream(), adit);
+  output.finish();
 }
 
 }  // namespace adit_tracker

@@ -11,6 +11,9 @@ namespace adit_tracker {
 /// What is known of the radars' errors of registration, one row a radar and term: its value and its row of the
 /// covariance, as tws::RegistrationFilter has them.
 void writeRegistration(std::ostream& output, const Adit& adit);
+/// The same into a file; one that was there stays whole until another one is (tws::OutputFile). Throws
+/// std::runtime_error, naming the file.
+void saveRegistrationFile(const std::string& path, const Adit& adit);
 
 /// Goes on from there. The radars must be the tracker's, in its order. Throws std::runtime_error that names file, line
 /// and reason, and then nothing is loaded.
