@@ -5,25 +5,14 @@
 
 #include <tws_core/angles.h>
 
+#include "registration_params_reader.h"
+
 namespace adit_tracker {
 namespace {
 
 using tws_runtime::ParameterReader;
 
 constexpr double kMost = 1e9;
-
-template <class T>
-void choice(ParameterReader& reader, const std::string& key, T& value,
-            const std::vector<std::pair<std::string, T>>& names) {
-  std::vector<std::string> allowed;
-  std::string chosen;
-  for (const auto& [name, meaning] : names) {
-    allowed.push_back(name);
-    if (meaning == value) chosen = name;
-  }
-  reader.choice(key, chosen, allowed);
-  value = std::find_if(names.begin(), names.end(), [&](const auto& n) { return n.first == chosen; })->second;
-}
 
 void readRadars(ParameterReader& reader, std::vector<RadarParams>& radars) {
   std::vector<ParameterReader> entries = reader.list("radars");
@@ -205,53 +194,6 @@ void readOperators(ParameterReader reader, OperatorParams& p) {
   reader.done();
 }
 
-void readReferences(ParameterReader& reader, std::vector<RegistrationReference>& all) {
-  std::vector<ParameterReader> entries = reader.list("references");
-  if (!reader.has("references")) return;
-  all.clear();
-  for (ParameterReader& entry : entries) {
-    RegistrationReference& reference = all.emplace_back();
-    entry.require("name");
-    entry.text("name", reference.name);
-    entry.number("x_m", reference.x, -kFarthest, kFarthest);
-    entry.number("y_m", reference.y, -kFarthest, kFarthest);
-    entry.number("height_m", reference.height, -1e4, 1e5);
-    entry.number("sigma_m", reference.sigma, 0.1, 1e4);
-    entry.done();
-  }
-}
-
-/// The same for each term; `suffix` stands before the unit.
-void readTerms(ParameterReader& reader, const std::string& suffix, tws::RegistrationTerms& terms) {
-  using tws::kRadiansPerDegree;
-  reader.number("range" + suffix + "_m", terms[tws::kRangeBias], 0.0, 1e5);
-  reader.number("gain" + suffix, terms[tws::kRangeGain], 0.0, 0.1);
-  scaledNumber(reader, "azimuth" + suffix + "_deg", terms[tws::kAzimuthBias], kRadiansPerDegree, 0.0, 5.0);
-  double eccentricity = terms[tws::kAzimuthSine];
-  scaledNumber(reader, "eccentricity" + suffix + "_deg", eccentricity, kRadiansPerDegree, 0.0, 5.0);
-  terms[tws::kAzimuthSine] = terms[tws::kAzimuthCosine] = eccentricity;
-  reader.number("clock" + suffix + "_s", terms[tws::kClockOffset], 0.0, 10.0);
-}
-
-void readRegistration(ParameterReader reader, AditParams& all) {
-  using tws::RegistrationMode;
-  tws::RegistrationParams& p = all.registration;
-  choice(reader, "mode", p.mode,
-         {{"apply", RegistrationMode::kOn}, {"freeze", RegistrationMode::kFreeze}, {"none", RegistrationMode::kOff}});
-  readTerms(reader, "_sigma", p.sigma);
-  readTerms(reader, "_drift", p.drift);
-  readTerms(reader, "_greatest", p.greatest);
-  readTerms(reader, "_rate", p.rate);
-  reader.number("significance", p.significance, 1.0, 100.0);
-  reader.number("unobservable", p.unobservable, 0.001, 1.0);
-  reader.number("gate_sigmas", p.gate, 1.0, 100.0);
-  reader.number("pairings_per_s", p.pairings_per_second, 0.01, 1000.0);
-  reader.number("settling_time_s", p.settling_time, 0.1, 1e4);
-  reader.number("learning_time_s", p.learning_time, 0.0, 1e5);
-  readReferences(reader, all.registration_references);
-  reader.done();
-}
-
 void readElevation(ParameterReader reader, ElevationParams& p) {
   reader.text("radar", p.radar);
   reader.integer("per_scan", p.per_scan, 1, 1000);
@@ -384,7 +326,7 @@ AditParams readAditParams(ParameterReader& reader, const std::string& default_se
   reader.flag("bifurcation", p.bifurcation);
   readParting(reader.map("parting"), p.parting);
   readOperators(reader.map("operator"), p.operators);
-  readRegistration(reader.map("registration"), p);
+  readRegistrationParams(reader.map("registration"), p.registration, p.registration_references);
   readElevation(reader.map("elevation"), p.elevation);
   p.volumes = readVolumes(reader, p);
   return p;

@@ -2,9 +2,11 @@
 
 #include <yaml-cpp/yaml.h>
 
+#include <algorithm>
 #include <set>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace tws_runtime {
@@ -77,6 +79,20 @@ class ParameterReader {
 /// A number whose unit in the file is `unit` SI units; the bounds are in the file's unit.
 void scaledNumber(ParameterReader& reader, const std::string& key, double& value, double unit, double least,
                   double greatest);
+
+/// One of several names, each of which means a value; `value` is the default, and must be among them.
+template <class T>
+void choice(ParameterReader& reader, const std::string& key, T& value,
+            const std::vector<std::pair<std::string, T>>& names) {
+  std::vector<std::string> allowed;
+  std::string chosen;
+  for (const auto& [name, meaning] : names) {
+    allowed.push_back(name);
+    if (meaning == value) chosen = name;
+  }
+  reader.choice(key, chosen, allowed);
+  value = std::find_if(names.begin(), names.end(), [&](const auto& n) { return n.first == chosen; })->second;
+}
 
 /// The tree in a YAML file. Throws ParameterError with file, line, column and reason when it cannot be read, is no
 /// YAML, or holds a key twice in one map. An empty file is an empty map.
