@@ -159,9 +159,9 @@ struct AditParams : LocalParams {
   std::vector<RadarParams> radars;
   std::vector<IffParams> iff;
   std::optional<tws::LocalFrame> map;  // where the frame of positions lies on earth, if that is known
-  std::string reference_radar;      // Whose scans count in conversions (the report's SPS-39). Empty: the last one.
-  std::uint32_t capacity = 100000;  // Track numbers; one of them always stays unused.
-  double skew_limit = 1.0;          // How late a radar's data may be before it counts as silent [s].
+  std::string reference_radar;         // Whose scans count in conversions (the report's SPS-39). Empty: the last one.
+  std::uint32_t capacity = 100000;     // Track numbers; one of them always stays unused.
+  double skew_limit = 1.0;             // How late a radar's data may be before it counts as silent [s].
 
   FilterKind filter = FilterKind::kTurning;
   tws::AdaptiveAlphaBetaParams alpha_beta;

@@ -71,8 +71,8 @@ EarthSite::EarthSite(const EarthPlane& plane, const SiteFrame& frame)
   height_ = plane.heightOf(at_);
 }
 
-/// From the surface |q|² + f·(pole·q)² = A² with q = site + r·(cos·outwards + sin·up), whose left side hardly bends with
-/// the sine: two steps of Newton's method from the horizontal are good to a millimetre at any range.
+/// From the surface |q|² + f·(pole·q)² = A² with q = site + r·(cos·outwards + sin·up), whose left side hardly bends
+/// with the sine: two steps of Newton's method from the horizontal are good to a millimetre at any range.
 PlaceAtHeight EarthSite::placeOf(double range, double azimuth, double range_sigma, double azimuth_sigma,
                                  double height) const {
   const Surface surface(height);
@@ -98,6 +98,7 @@ PlaceAtHeight EarthSite::placeOf(double range, double azimuth, double range_sigm
   const Eigen::Vector2d per_height = perHeight(outwards, sine, range);
   result.x_per_height = per_height.x();
   result.y_per_height = per_height.y();
+  result.up = range * sine;
   // At the same height, a longer range is a lower elevation.
   const double along = qp + range * line.dot(pole);
   const double by_range = 2.0 * (range + line.dot(centre_) + surface.flatness * along * line.dot(pole));

@@ -40,16 +40,17 @@ class EarthPlane {
 
 /// A plot, or a place where a plot may come from, on the plane, under a guess of the target's height.
 struct PlaceAtHeight {
-  PlanarPosition place;            // covariance: of the radar's own errors alone
+  PlanarPosition place;               // covariance: of the radar's own errors alone
   double x_per_height, y_per_height;  // how it changes with the height [m/m]
+  double up;                          // of the target above the site's horizontal plane [m]
 };
 
 /// A point as a radar sees it.
 struct SiteView {
   double east, north, up;  // in the radar's own axes [m]
-  double ground;           // distance along its horizontal plane [m], at least 1: at the site itself rates have no meaning
-  double range;            // slant range [m], at least 1
-  double azimuth;          // from its own north [rad], [0, 2π)
+  double ground;   // distance along its horizontal plane [m], at least 1: at the site itself rates have no meaning
+  double range;    // slant range [m], at least 1
+  double azimuth;  // from its own north [rad], [0, 2π)
 };
 
 /// A radar on the earth: its plots on the plane and back, exactly. Its vertical is the ellipsoid's normal where it
@@ -73,7 +74,7 @@ class EarthSite {
   Eigen::Vector2d perHeight(const Eigen::Vector3d& outwards, double sine, double range) const;
 
   EarthPlane plane_;
-  Eigen::Vector3d at_;      // on the plane [m]
+  Eigen::Vector3d at_;  // on the plane [m]
   Eigen::Vector3d east_, north_, up_;
   Eigen::Vector3d centre_;  // from the earth's centre [m]
   double height_;

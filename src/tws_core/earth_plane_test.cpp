@@ -153,7 +153,8 @@ TEST(EarthPlane, CovarianceAndHeightMoveAPlaceAsTheySay) {
     EXPECT_NEAR(z.y_per_height, seen_so.y(), 1e-4);
     // And the way back.
     const Eigen::Matrix2d ground = there.onGround(z.place.x, z.place.y, height);
-    const SiteView a = there.view(z.place.x, z.place.y, height), b = there.view(z.place.x + 10.0, z.place.y - 20.0, height);
+    const SiteView a = there.view(z.place.x, z.place.y, height),
+                   b = there.view(z.place.x + 10.0, z.place.y - 20.0, height);
     const Eigen::Vector2d moved = ground * Eigen::Vector2d(10.0, -20.0);
     EXPECT_NEAR(b.east - a.east, moved.x(), 1e-3);
     EXPECT_NEAR(b.north - a.north, moved.y(), 1e-3);
@@ -171,9 +172,7 @@ TEST(EarthPlane, WhatFliesHigherThanItsRangeIsSeenSteeplyAndDoesNotFail) {
   EXPECT_GE(there.view(0.0, 0.0, 300.0).range, 1.0);
 }
 
-TEST(EarthPlane, NoPlaceOnEarthIsRefused) {
-  EXPECT_THROW(EarthPlane(Geodetic{2.0, 0.0, 0.0}), std::invalid_argument);
-}
+TEST(EarthPlane, NoPlaceOnEarthIsRefused) { EXPECT_THROW(EarthPlane(Geodetic{2.0, 0.0, 0.0}), std::invalid_argument); }
 
 }  // namespace
 }  // namespace tws

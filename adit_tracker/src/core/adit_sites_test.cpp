@@ -31,7 +31,8 @@ class SecondSite : public testing::Test {
     for (auto& sector : sectors)
       for (auto& plot : sector.plots) {
         const double azimuth = site.onPlane(plot.azimuth);
-        plot.range = radar.view(site.x + plot.range * std::sin(azimuth), site.y + plot.range * std::cos(azimuth), height).range;
+        plot.range =
+            radar.view(site.x + plot.range * std::sin(azimuth), site.y + plot.range * std::cos(azimuth), height).range;
       }
   }
 
@@ -75,7 +76,8 @@ TEST_F(SecondSite, OneTrackAnAircraftAtAnyHeight) {
       for (const auto& t : targets_)
         nearest = std::min(nearest, std::hypot(k.x - t.x - t.vx * 199.0, k.y - t.y - t.vy * 199.0));
       EXPECT_LT(nearest, 200.0) << height;  // twice a radar's error of range
-      EXPECT_NEAR(static_cast<double>(track.height_guess.height), height, 1500.0) << height;
+      // Slant range hardly changes with the height of what is low: 1.7 km are 40 m at 40 km.
+      EXPECT_NEAR(static_cast<double>(track.height_guess.height), height, height > 0.0 ? 1500.0 : 2000.0) << height;
     }
   }
 }

@@ -343,8 +343,7 @@ ApparentPosition TrackMotion::apparentPosition(const Track& track, std::size_t r
   // At the same height; what that does to its azimuth's rate is second to its motion on the plane.
   const double c = std::cos(frames_[radar].turn), n = std::sin(frames_[radar].turn);
   const double east_rate = c * k.vx + n * k.vy, north_rate = c * k.vy - n * k.vx;
-  return {seen.range, seen.azimuth,
-          (seen.north * east_rate - seen.east * north_rate) / (seen.ground * seen.ground)};
+  return {seen.range, seen.azimuth, (seen.north * east_rate - seen.east * north_rate) / (seen.ground * seen.ground)};
 }
 
 double TrackMotion::squaredDistance(const Track& track, const tws::Plot& plot, double range_sigma, double azimuth_sigma,
@@ -354,8 +353,8 @@ double TrackMotion::squaredDistance(const Track& track, const tws::Plot& plot, d
   if (joined_) {
     const tws::EarthSite there(plane_, site);
     const HeightGuess& guess = track.height_guess;
-    z = guess.against(there.placeOf(plot.range, plot.azimuth, range_sigma, azimuth_sigma,
-                                    static_cast<double>(guess.height)));
+    z = guess.against(
+        there.placeOf(plot.range, plot.azimuth, range_sigma, azimuth_sigma, static_cast<double>(guess.height)));
   } else {  // of one site, heights are alike, and slant range lies on the plane
     z = tws::planarMeasurement(plot.range, site.onPlane(plot.azimuth), range_sigma, azimuth_sigma);
     z.x += site.x;
@@ -458,7 +457,7 @@ void TrackMotion::predictJoined(Track& track, const tws::PlanarPosition& there, 
   p.range = view.range;
   p.azimuth = view.azimuth;
   const Eigen::Vector2d by_height = site.perHeight(view);
-  const tws::PlanarPosition wider = guess.against({there, by_height.x(), by_height.y()});
+  const tws::PlanarPosition wider = guess.against({there, by_height.x(), by_height.y(), view.up});
   const Eigen::Matrix2d on_ground = site.onGround(there.x, there.y, static_cast<double>(guess.height));
   const auto seen = [&](const tws::Symmetric2& covariance) {
     return inPolar({view.east, view.north, mapped(covariance, on_ground)}, view.ground);

@@ -106,7 +106,7 @@ class TrackMotion {
   std::vector<tws::SiteFrame> frames_;  // by radar, when they are at several sites
   std::vector<tws::EarthSite> sites_;   // the same
   tws::EarthPlane plane_;
-  bool joined_ = false;                 // are they at several sites?
+  bool joined_ = false;  // are they at several sites?
   tws::AdaptiveAlphaBeta alpha_beta_;
   FastShare fast_share_;
 };

@@ -44,7 +44,10 @@ void HeightGuess::begin(const tws::PlaceAtHeight& z) {
 tws::PlanarPosition HeightGuess::against(const tws::PlaceAtHeight& z) const {
   const double dx = z.x_per_height - x_per_height, dy = z.y_per_height - y_per_height;
   tws::PlanarPosition wider = z.place;
-  wider.covariance = sumOf(wider.covariance, {variance * dx * dx, variance * dx * dy, variance * dy * dy});
+  // Ground range bends with the height: its second derivative is the first one over the height above the site's plane.
+  constexpr double kLeast = 500.0;  // of that [m]; there both are small
+  const double up2 = std::max(z.up * z.up, kLeast * kLeast), bent = variance * (1.0 + 0.5 * variance / up2);
+  wider.covariance = sumOf(wider.covariance, {bent * dx * dx, bent * dx * dy, bent * dy * dy});
   return wider;
 }
 

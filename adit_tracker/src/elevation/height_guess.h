@@ -12,8 +12,8 @@ namespace adit_tracker {
 /// differently. So a track carries its height with a variance, and how its own position changes with it; where sites
 /// disagree, they tell the height (a Kalman filter with a consider parameter: S. F. Schmidt 1966).
 struct HeightGuess {
-  float height = 0.0F;    // above the ellipsoid [m]
-  float variance = 0.0F;  // of it [m²]
+  float height = 0.0F;                             // above the ellipsoid [m]
+  float variance = 0.0F;                           // of it [m²]
   float x_per_height = 0.0F, y_per_height = 0.0F;  // change of the track's position with the height [m/m]
 
   /// Nothing is known but that targets fly below `greatest` [m], and that radars do not look steeper than 30°.
