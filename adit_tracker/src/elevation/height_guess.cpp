@@ -6,7 +6,7 @@
 namespace adit_tracker {
 namespace {
 
-constexpr double kSteepest = 0.5;         // sine of 30°
+constexpr double kSteepest = 0.5;          // sine of 30°
 constexpr double kClimbing = 25.0 * 60.0;  // of a target that climbs and sinks by 5 m/s, a minute each [m²/s]
 // What is learned may be higher than what is assumed: by so much.
 constexpr double kHigher = 2.0;
