@@ -56,7 +56,7 @@ class AditNode::Impl {
         clutter_interface_(bus, operators_, params_.adit, {params_.clutter_map, params_.clutter_map_folder},
                            [this] { return adit_ && adit_->counts().sectors > 0 ? &*adit_ : nullptr; }),
         iff_(bus, params_.frame, params_.adit.iff, params_.inputs.restart_limit),
-        sites_(bus, params_.frame, namesOf(params_.adit), joinsSites(params_.adit),
+        sites_(bus, params_.frame, namesOf(params_.adit), joinsSites(params_.adit), params_.adit.map,
                [this](std::size_t radar) -> const std::string& { return inputs_.frame(radar); }),
         own_ship_(bus, params_.frame, params_.own_ship, namesOf(params_.adit),
                   [this](std::size_t radar, tws::RadarSector sector, const Passage& ship) {
@@ -106,6 +106,7 @@ class AditNode::Impl {
     // For a site, or to see whether a new run begins: that is no overload.
     const bool all_at_once = sites_.waiting() > 0 || inputs_.intake().isReleasing();
     sites_.add(radar, std::move(sector), [this, radar](tws::RadarSector ready) {
+      adit_->standOn(sites_.plane());
       adit_->place(radar, sites_.frame(radar));
       adit_->add(radar, std::move(ready));
     });

@@ -2,10 +2,12 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include <tws_core/alpha_beta.h>
+#include <tws_core/geodesy.h>
 #include <tws_core/sectors.h>
 #include <tws_core/units.h>
 
@@ -165,9 +167,10 @@ constexpr std::size_t kMostVolumes = 1000;
 struct AditParams : LocalParams {
   std::vector<RadarParams> radars;
   std::vector<IffParams> iff;
-  std::string reference_radar;      // Whose scans count in conversions (the report's SPS-39). Empty: the last one.
-  std::uint32_t capacity = 100000;  // Track numbers; one of them always stays unused.
-  double skew_limit = 1.0;          // How late a radar's data may be before it counts as silent [s].
+  std::optional<tws::LocalFrame> map;  // where the frame of positions lies on earth, if that is known
+  std::string reference_radar;         // Whose scans count in conversions (the report's SPS-39). Empty: the last one.
+  std::uint32_t capacity = 100000;     // Track numbers; one of them always stays unused.
+  double skew_limit = 1.0;             // How late a radar's data may be before it counts as silent [s].
 
   FilterKind filter = FilterKind::kTurning;
   tws::AdaptiveAlphaBetaParams alpha_beta;

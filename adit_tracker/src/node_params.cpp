@@ -1,6 +1,7 @@
 #include "node_params.h"
 
 #include <tws_runtime/parameters.h>
+#include <tws_runtime/track_writer.h>
 
 #include <algorithm>
 #include <stdexcept>
@@ -34,6 +35,7 @@ NodeParams readNodeParams(tws_runtime::Bus& bus) {
   reader.require("radars");
   params.adit = readAditParams(reader);
   reader.text("frame", params.frame);
+  if (const auto place = tws_runtime::readPlace(reader)) params.adit.map.emplace(*place);
   reader.number("wait_limit_s", params.inputs.wait_limit, 0.0, 60.0);
   reader.number("restart_limit_s", params.inputs.restart_limit, 0.5, 3600.0);
   reader.integer("overflow_sectors", params.overflow, 0, 1000000);

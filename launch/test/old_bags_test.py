@@ -59,6 +59,7 @@ class OldBags(unittest.TestCase):
                     self.assertEqual(str(getattr(was, name)), str(getattr(now, name)), name)
                 self.assertTrue(math.isnan(now.existence) and math.isnan(now.plot_range) and math.isnan(now.plot_azimuth))
                 self.assertEqual(len(now.model_probabilities), 0)
+                self.assertTrue(math.isnan(now.latitude) and math.isnan(now.longitude) and math.isnan(now.altitude))
             self.assertEqual(old.header.stamp, new.header.stamp)
         self.assertGreater(tracks, 12)
 

@@ -1,5 +1,6 @@
 #include <tws_runtime/track_writer.h>
 
+#include <tws_core/earth_plane.h>
 #include <tws_core/geometry.h>
 #include <tws_core/sectors.h>
 #include <tws_core/units.h>
@@ -27,7 +28,12 @@ double upOf(const PolarMotion& motion, double height, const Site& site, const tw
 }  // namespace
 
 tws::SeaLevel readOrigin(ParameterReader& reader) {
-  if (!reader.has("origin")) return tws::SeaLevel();
+  const std::optional<tws::Geodetic> origin = readPlace(reader);
+  return origin ? tws::SeaLevel(*origin) : tws::SeaLevel();
+}
+
+std::optional<tws::Geodetic> readPlace(ParameterReader& reader) {
+  if (!reader.has("origin")) return std::nullopt;
   ParameterReader own = reader.map("origin");
   tws::Geodetic origin;
   for (const char* key : {"latitude_deg", "longitude_deg", "altitude_m"}) own.require(key);
@@ -35,7 +41,17 @@ tws::SeaLevel readOrigin(ParameterReader& reader) {
   scaledNumber(own, "longitude_deg", origin.longitude, tws::radians(1.0), -180.0, 180.0);
   own.number("altitude_m", origin.altitude, -1000.0, 10000.0);
   own.done();
-  return tws::SeaLevel(origin);
+  return origin;
+}
+
+void setGeodetic(tws_msgs::Track& track, const tws::LocalFrame& map, double height) {
+  const bool flat = std::isnan(track.position.z);
+  const double x = track.position.x, y = track.position.y;
+  const double z = flat ? tws::EarthPlane(map.origin()).zAt(x, y, height) : track.position.z;
+  const tws::Geodetic place = map.toGeodetic({x, y, z});
+  track.latitude = place.latitude;
+  track.longitude = place.longitude;
+  if (!flat) track.altitude = place.altitude;
 }
 
 tws_msgs::Track blankTrack(std::uint32_t number, std::uint32_t uid) {
@@ -45,6 +61,7 @@ tws_msgs::Track blankTrack(std::uint32_t number, std::uint32_t uid) {
   track.elevation = track.position.z = track.velocity.z = track.course = kUnknown;
   track.mode_1 = track.mode_2 = track.mode_3a = tws_msgs::Track::CODE_UNKNOWN;
   track.height = track.height_sigma = track.plot_range = track.plot_azimuth = kUnknown;
+  track.latitude = track.longitude = track.altitude = kUnknown;
   track.existence = std::numeric_limits<float>::quiet_NaN();
   return track;
 }

@@ -9,10 +9,6 @@
 namespace tws {
 namespace {
 
-// World Geodetic System 1984 (NGA.STND.0036, table 3.1).
-constexpr double kSemiMajorAxis = 6378137.0;  // [m]
-constexpr double kFlattening = 1.0 / 298.257223563;
-constexpr double kSemiMinorAxis = kSemiMajorAxis * (1.0 - kFlattening);
 constexpr double kEccentricitySquared = kFlattening * (2.0 - kFlattening);
 constexpr double kSecondEccentricitySquared = kEccentricitySquared / (1.0 - kEccentricitySquared);
 

@@ -4,6 +4,11 @@
 
 namespace tws {
 
+// World Geodetic System 1984 (NGA.STND.0036, table 3.1).
+constexpr double kSemiMajorAxis = 6378137.0;  // [m]
+constexpr double kFlattening = 1.0 / 298.257223563;
+constexpr double kSemiMinorAxis = kSemiMajorAxis * (1.0 - kFlattening);  // [m]
+
 /// A place on or above the WGS-84 ellipsoid.
 struct Geodetic {
   double latitude = 0.0;   // [rad], north positive, in [-π/2, π/2]

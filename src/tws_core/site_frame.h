@@ -18,6 +18,7 @@ struct PlanarView {
 struct SiteFrame {
   double x = 0.0, y = 0.0;  // x along the first site's east, y along its north [m]
   double turn = 0.0;        // of the site's own axes against these, anticlockwise [rad]: meridians converge
+  double z = 0.0;           // above the plane [m]
 
   PlanarView view(double plane_x, double plane_y) const {
     const double east = plane_x - x, north = plane_y - y;

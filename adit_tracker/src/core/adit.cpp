@@ -197,7 +197,7 @@ void Adit::pass(const tws::SectorRef& sector, bool map_clutter) {
 /// The first sector of a radar at another site is about to be processed.
 void Adit::joinSite(std::size_t radar) {
   const bool is_new = radars_.join(radar);
-  tracks_.join(radars_.frames());
+  tracks_.join(radars_.frames(), radars_.plane());
   if (is_new) meeting_.addSite(tracks_.living());
 }
 

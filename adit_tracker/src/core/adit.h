@@ -42,6 +42,10 @@ class Adit {
   Adit(const Adit&) = delete;
   Adit& operator=(const Adit&) = delete;
 
+  /// What earth lies under the plane of the radars' places, before the first sector. Else the plane touches it at the
+  /// first radar, at 45° of latitude.
+  void standOn(const tws::EarthPlane& plane) { radars_.standOn(plane); }
+
   /// Where a radar stands, before its first sector; else with the first radar. The same again changes nothing. Throws
   /// std::invalid_argument when it stands elsewhere and the parameters cannot join it (see joinsSites).
   void place(std::size_t radar, const tws::SiteFrame& frame);

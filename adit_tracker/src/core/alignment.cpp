@@ -4,19 +4,42 @@
 #include <cmath>
 
 #include <tws_core/angles.h>
+#include <tws_core/earth_plane.h>
 
 namespace adit_tracker {
 namespace {
 
 constexpr tws::RegistrationTerms kNone{};
 
+tws::EarthSite siteOf(const Radars& radars, std::size_t radar) { return {radars.plane(), radars.at(radar).frame}; }
+
+/// A plot under a guess of its target's height. Where all radars stand together, slant range lies on the plane, as it
+/// does for their tracks.
+tws::PlaceAtHeight placeOf(const Radars& radars, std::size_t radar, const tws::Plot& plot, double height) {
+  const RadarState& state = radars.at(radar);
+  const double range_sigma = state.quality.rangeSigma(plot), azimuth_sigma = state.quality.azimuthSigma(plot);
+  if (radars.severalSites())
+    return siteOf(radars, radar).placeOf(plot.range, plot.azimuth, range_sigma, azimuth_sigma, height);
+  tws::PlaceAtHeight there{};
+  there.place = tws::planarMeasurement(plot.range, state.frame.onPlane(plot.azimuth), range_sigma, azimuth_sigma);
+  there.place.x += state.frame.x;
+  there.place.y += state.frame.y;
+  return there;
+}
+
+tws::RegistrationRows rowsOf(std::size_t radar, const tws::SiteFrame& frame, const tws::SiteView& view, double vx,
+                             double vy) {
+  return tws::registrationRows(radar, view.range, view.ground, view.azimuth, frame.onPlane(view.azimuth), vx, vy);
+}
+
 /// How the place of a plot from there changes with the radar's errors. Both radars' are to be asked for at one place:
 /// at the plots' own, their noise would look like errors that the radars share.
-tws::RegistrationRows rowsAt(double x, double y, double squared_height, std::size_t radar, const tws::SiteFrame& frame,
-                             double vx, double vy) {
+tws::RegistrationRows rowsAt(const Radars& radars, std::size_t radar, double x, double y, double height, double vx,
+                             double vy) {
+  const tws::SiteFrame& frame = radars.at(radar).frame;
+  if (radars.severalSites()) return rowsOf(radar, frame, siteOf(radars, radar).view(x, y, height), vx, vy);
   const tws::PlanarView view = frame.view(x, y);
-  const double slant = std::sqrt(view.distance * view.distance + squared_height);
-  return tws::registrationRows(radar, slant, view.distance, view.azimuth, frame.onPlane(view.azimuth), vx, vy);
+  return tws::registrationRows(radar, view.distance, view.distance, view.azimuth, frame.onPlane(view.azimuth), vx, vy);
 }
 
 double shift(const tws::RegistrationTerms& rows, const tws::RegistrationTerms& errors) {
@@ -86,8 +109,10 @@ bool Alignment::isSlower(std::size_t radar, std::size_t other) const {
 void Alignment::look(std::size_t radar, const tws::RadarSector& sector) {
   for (const RegistrationReference& reference : references_) {
     const RadarState& state = radars_.at(radar);
-    const tws::PlanarView view = state.frame.view(reference.x, reference.y);
-    const double slant = std::hypot(view.distance, reference.height);
+    const tws::EarthSite site = siteOf(radars_, radar);
+    const double height = site.height() + reference.height;
+    const tws::SiteView view = site.view(reference.x, reference.y, height);
+    const double slant = view.range;
     // A place is a reference where no other plot is near: within what the radar may err by.
     const auto& sigma = registration_.reports()[radar].sigmas;
     const auto& errors = registration_.reports()[radar].errors;
@@ -104,10 +129,8 @@ void Alignment::look(std::size_t radar, const tws::RadarSector& sector) {
       ++near;
     }
     if (near != 1 || !registration_.wantsPairing(found->time)) continue;
-    HeightGuess height;
-    height.squared = static_cast<float>(reference.height * reference.height);
-    const GuessedPlace placed =
-        height.placeOf(*found, state.quality.rangeSigma(*found), state.quality.azimuthSigma(*found), state.frame);
+    const tws::PlaceAtHeight placed = site.placeOf(found->range, found->azimuth, state.quality.rangeSigma(*found),
+                                                   state.quality.azimuthSigma(*found), height);
     tws::RegistrationPairing pairing;
     pairing.time = found->time;
     pairing.x = placed.place.x - reference.x;
@@ -115,7 +138,7 @@ void Alignment::look(std::size_t radar, const tws::RadarSector& sector) {
     pairing.covariance = placed.place.covariance;
     pairing.covariance.xx += reference.sigma * reference.sigma;
     pairing.covariance.yy += reference.sigma * reference.sigma;
-    pairing.first = rowsAt(reference.x, reference.y, reference.height * reference.height, radar, state.frame, 0.0, 0.0);
+    pairing.first = rowsOf(radar, state.frame, view, 0.0, 0.0);
     pairing.absolute = true;
     registration_.add(pairing);
   }
@@ -156,19 +179,13 @@ void Alignment::pair(const Track& track, const Seen& at, const Seen& before, con
   const double vx = track.smoothed.vx, vy = track.smoothed.vy;
   const double span = after.plot.time - before.plot.time, since = at.plot.time - before.plot.time;
   const double weight = since / span;
-  const HeightGuess& height = track.height_guess;
-  const auto place = [&](const Seen& seen) {
-    const RadarState& state = radars_.at(seen.radar);
-    return height.placeOf(seen.plot, state.quality.rangeSigma(seen.plot), state.quality.azimuthSigma(seen.plot),
-                          state.frame);
-  };
-  const GuessedPlace a = place(at), b = place(before), c = place(after);
+  const auto height = static_cast<double>(track.height_guess.height);
+  const auto place = [&](const Seen& seen) { return placeOf(radars_, seen.radar, seen.plot, height); };
+  const tws::PlaceAtHeight a = place(at), b = place(before), c = place(after);
   const auto between = [&](double from, double to) { return (1.0 - weight) * from + weight * to; };
   const double x = between(b.place.x, c.place.x), y = between(b.place.y, c.place.y);
   const double middle_x = 0.5 * (a.place.x + x), middle_y = 0.5 * (a.place.y + y);
-  const auto rows = [&](std::size_t radar) {
-    return rowsAt(middle_x, middle_y, static_cast<double>(height.squared), radar, radars_.at(radar).frame, vx, vy);
-  };
+  const auto rows = [&](std::size_t radar) { return rowsAt(radars_, radar, middle_x, middle_y, height, vx, vy); };
   tws::RegistrationPairing pairing;
   pairing.time = at.plot.time;
   pairing.first = rows(at.radar);
@@ -183,9 +200,9 @@ void Alignment::pair(const Track& track, const Seen& at, const Seen& before, con
   pairing.x = a.place.x - x + shift(pairing.first.x, at.taken) - shift(pairing.second.x, taken);
   pairing.y = a.place.y - y + shift(pairing.first.y, at.taken) - shift(pairing.second.y, taken);
   const double bend = 0.5 * kBend * since * (span - since);
-  const double dx = a.x_per_squared - between(b.x_per_squared, c.x_per_squared);
-  const double dy = a.y_per_squared - between(b.y_per_squared, c.y_per_squared);
-  const auto vague = static_cast<double>(height.variance);
+  const double dx = a.x_per_height - between(b.x_per_height, c.x_per_height);
+  const double dy = a.y_per_height - between(b.y_per_height, c.y_per_height);
+  const auto vague = static_cast<double>(track.height_guess.variance);
   addTo(pairing.covariance, {bend * bend + vague * dx * dx, vague * dx * dy, bend * bend + vague * dy * dy}, 1.0);
   registration_.add(pairing);
 }

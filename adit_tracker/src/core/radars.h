@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include <tws_core/earth_plane.h>
 #include <tws_core/sector_order.h>
 
 #include "adit_params.h"
@@ -31,6 +32,10 @@ class Radars {
   /// The radar's first sector is about to be processed. True: its site is a new one, the last of sites().
   bool join(std::size_t radar);
 
+  /// What earth lies under the plane; before the first join().
+  void standOn(const tws::EarthPlane& plane) { plane_ = plane; }
+  const tws::EarthPlane& plane() const { return plane_; }
+
   /// Those whose radars have sent sectors, the first radar's always.
   const std::vector<tws::SiteFrame>& sites() const { return sites_; }
   bool severalSites() const { return sites_.size() > 1; }
@@ -54,6 +59,7 @@ class Radars {
 
   std::vector<RadarState> radars_;
   std::vector<std::string> names_;
+  tws::EarthPlane plane_;
   std::vector<tws::SiteFrame> sites_{tws::SiteFrame{}};
   PlaneOrigin origin_;
   std::size_t reference_;

@@ -139,7 +139,7 @@ void TrackBook::enterVolume(Track& track) const {
   if (!motion_.hasVolumes()) return;
   const std::optional<Height> height = heights_.at(track.uid, track.smoothed.time);
   const HeightGuess& guess = track.height_guess;
-  const double guessed = guess.known() ? guess.height() : std::numeric_limits<double>::quiet_NaN();
+  const double guessed = guess.known() ? static_cast<double>(guess.height) : std::numeric_limits<double>::quiet_NaN();
   motion_.enterVolume(track, height ? height->height : guessed);
 }
 
@@ -281,9 +281,9 @@ void TrackBook::moveOrigin(double dx, double dy) {
   for (const auto slot : living()) motion_.moveOrigin(tracks_.at(slot), dx, dy);
 }
 
-void TrackBook::join(const std::vector<tws::SiteFrame>& frames) {
+void TrackBook::join(const std::vector<tws::SiteFrame>& frames, const tws::EarthPlane& plane) {
   const bool first_time = !motion_.joined();
-  motion_.join(frames);
+  motion_.join(frames, plane);
   if (!first_time) return;
   for (const auto slot : living()) motion_.guessHeight(tracks_.at(slot));
 }

@@ -95,7 +95,7 @@ class TrackBook {
   void moveOrigin(double dx, double dy);
 
   /// Radars at more than one site take part, one frame a radar. Heights are guessed from then on.
-  void join(const std::vector<tws::SiteFrame>& frames);
+  void join(const std::vector<tws::SiteFrame>& frames, const tws::EarthPlane& plane);
 
   const Track& at(Slot slot) const { return tracks_.at(slot); }
   Track& at(Slot slot) { return tracks_.at(slot); }

@@ -56,6 +56,13 @@ tws::Symmetric2 inPolar(const tws::PlanarPosition& position, double range) {
           p.xx * c * c - 2.0 * p.xy * s * c + p.yy * s * s};
 }
 
+/// The covariance of J times what has this one.
+tws::Symmetric2 mapped(const tws::Symmetric2& p, const Eigen::Matrix2d& J) {
+  const double ax = J(0, 0) * p.xx + J(0, 1) * p.xy, ay = J(0, 0) * p.xy + J(0, 1) * p.yy;
+  const double bx = J(1, 0) * p.xx + J(1, 1) * p.xy, by = J(1, 0) * p.xy + J(1, 1) * p.yy;
+  return {J(0, 0) * ax + J(0, 1) * ay, J(1, 0) * ax + J(1, 1) * ay, J(1, 0) * bx + J(1, 1) * by};
+}
+
 /// Log-likelihood of a measurement under "it does not move", and the place improved by it.
 double updatePlace(FixedPlace& place, const tws::PlanarPosition& z) {
   const tws::Symmetric2 s{place.covariance.xx + z.covariance.xx, place.covariance.xy + z.covariance.xy,
@@ -94,9 +101,12 @@ void shift(Track& track, const tws::PlanarPosition& by) {
 TrackMotion::TrackMotion(const AditParams& params)
     : params_(params), alpha_beta_(params.alpha_beta), fast_share_(params.turning.fast_share) {}
 
-void TrackMotion::join(const std::vector<tws::SiteFrame>& frames) {
+void TrackMotion::join(const std::vector<tws::SiteFrame>& frames, const tws::EarthPlane& plane) {
   frames_ = frames;
+  plane_ = plane;
   joined_ = true;
+  sites_.clear();
+  for (const tws::SiteFrame& frame : frames) sites_.emplace_back(plane, frame);
   auto& sites = params_.turning.sites;
   sites.clear();
   sites.reserve(frames.size());
@@ -104,15 +114,28 @@ void TrackMotion::join(const std::vector<tws::SiteFrame>& frames) {
   for (Volume& volume : params_.volumes) volume.params.turning.sites = sites;
 }
 
+/// Until now its slant range was laid on the plane, around the first site.
 void TrackMotion::guessHeight(Track& track) const {
   const Kinematics& k = track.smoothed;
-  HeightGuess& guess = track.height_guess;
-  guess.x_per_squared = static_cast<float>(-0.5 * k.x / (k.range * k.range));
-  guess.y_per_squared = static_cast<float>(-0.5 * k.y / (k.range * k.range));
-  const HeightGuess first = HeightGuess::below(turningOf(track).assumed_height, k.range);
-  guess.variance = first.variance;
-  shift(track, guess.moveTo(first.squared));
+  track.height_guess = HeightGuess::below(turningOf(track).assumed_height, k.range);
+  const tws::PlaceAtHeight z =
+      sites_.front().placeOf(k.range, k.azimuth, 0.0, 0.0, static_cast<double>(track.height_guess.height));
+  track.height_guess.begin(z);
+  shift(track, {z.place.x - k.x, z.place.y - k.y, {}});
   track.smoothed = fromPlanar(std::get<tws::MultipleModelFilter>(track.filter).mean(), k.time);
+}
+
+/// A plot at the height that the track is thought to have.
+tws::PlaceAtHeight TrackMotion::placeOf(const Track& track, const tws::Plot& plot, const RadarQuality& quality,
+                                        std::size_t radar) const {
+  return sites_[radar].placeOf(plot.range, plot.azimuth, quality.rangeSigma(plot), quality.azimuthSigma(plot),
+                               static_cast<double>(track.height_guess.height));
+}
+
+/// The track as a radar sees it, dt [s] after the latest update.
+tws::SiteView TrackMotion::view(const Track& track, std::size_t radar, double dt) const {
+  const Kinematics& k = track.smoothed;
+  return sites_[radar].view(k.x + k.vx * dt, k.y + k.vy * dt, static_cast<double>(track.height_guess.height));
 }
 
 void TrackMotion::relocate(Track& track, double x, double y) const {
@@ -139,8 +162,9 @@ tws::RangeRate TrackMotion::rateOf(const Track& track, double value, const Radar
   if (!joined_) return rate;
   rate.x = frames_[radar].x;
   rate.y = frames_[radar].y;
-  rate.squared_height = static_cast<double>(track.height_guess.squared);
-  rate.squared_height_variance = static_cast<double>(track.height_guess.variance);
+  const double up = view(track, radar, 0.0).up, variance = static_cast<double>(track.height_guess.variance);
+  rate.squared_height = up * up;
+  rate.squared_height_variance = (4.0 * up * up + 2.0 * variance) * variance;
   return rate;
 }
 
@@ -156,7 +180,9 @@ double TrackMotion::start(Track& track, const tws::Plot& plot, const RadarQualit
       tws::planarMeasurement(plot.range, plot.azimuth, quality.rangeSigma(plot), quality.azimuthSigma(plot));
   if (joined_) {
     track.height_guess = HeightGuess::below(params_.turning.assumed_height, plot.range);
-    z = track.height_guess.begin(plot, quality.rangeSigma(plot), quality.azimuthSigma(plot), frames_[radar]);
+    const tws::PlaceAtHeight guessed = placeOf(track, plot, quality, radar);
+    track.height_guess.begin(guessed);
+    z = guessed.place;
     tws::PlanarMotion at_rest;
     at_rest.x = z.x;
     at_rest.y = z.y;
@@ -197,7 +223,7 @@ void TrackMotion::branch(Track& track, const Track& parent, const Parting& parti
     return;
   }
   if (joined_) {  // it flies as high
-    shift(track, track.height_guess.moveTo(parent.height_guess.squared));
+    shift(track, track.height_guess.moveTo(parent.height_guess.height));
     track.height_guess.variance = parent.height_guess.variance;
   }
   const double azimuth = joined_ ? frames_[radar].onPlane(parting.azimuth) : parting.azimuth;
@@ -283,8 +309,8 @@ double TrackMotion::updateJoined(Track& track, const tws::Plot& plot, const Rada
   HeightGuess& guess = track.height_guess;
   const double dt = std::max(0.0, plot.time - track.smoothed.time);
   guess.age(dt, turningOf(track).assumed_height);
-  shift(track, guess.flatten(plot.range));
-  const GuessedPlace z = guess.placeOf(plot, quality.rangeSigma(plot), quality.azimuthSigma(plot), frames_[radar]);
+  shift(track, guess.flatten(plot.range, sites_[radar].height()));
+  const tws::PlaceAtHeight z = placeOf(track, plot, quality, radar);
   const tws::PlanarPosition wider = guess.against(z), predicted = filter.predictPosition(dt, turningOf(track));
   const tws::RangeRate rate = rateOf(track, plot.range_rate, quality, radar);
   const double log_likelihood = filter.update(wider, rate, dt, turningOf(track)) + againstFalse(rate, quality);
@@ -297,18 +323,27 @@ double TrackMotion::updateJoined(Track& track, const tws::Plot& plot, const Rada
 ApparentPosition TrackMotion::apparentPosition(const Track& track, std::size_t radar, double time) const {
   const Kinematics& k = track.smoothed;
   if (!joined_) return {k.range, k.azimuth, k.azimuth_rate};
-  const double dt = time - k.time;
-  const tws::PlanarView view = frames_[radar].view(k.x + k.vx * dt, k.y + k.vy * dt);
-  return {track.height_guess.slantRange(view.distance), view.azimuth,
-          (view.north * k.vx - view.east * k.vy) / (view.distance * view.distance)};
+  const tws::SiteView seen = view(track, radar, time - k.time);
+  // At the same height; what that does to its azimuth's rate is second to its motion on the plane.
+  const double c = std::cos(frames_[radar].turn), n = std::sin(frames_[radar].turn);
+  const double east_rate = c * k.vx + n * k.vy, north_rate = c * k.vy - n * k.vx;
+  return {seen.range, seen.azimuth, (seen.north * east_rate - seen.east * north_rate) / (seen.ground * seen.ground)};
 }
 
 double TrackMotion::squaredDistance(const Track& track, const tws::Plot& plot, double range_sigma, double azimuth_sigma,
                                     const tws::SiteFrame& site) const {
   const double dt = plot.time - track.smoothed.time;
-  // Of one site, heights are alike; and h² of 0 lays slant range on the plane.
-  const HeightGuess& guess = track.height_guess;
-  const tws::PlanarPosition z = guess.against(guess.placeOf(plot, range_sigma, azimuth_sigma, site));
+  tws::PlanarPosition z;
+  if (joined_) {
+    const tws::EarthSite there(plane_, site);
+    const HeightGuess& guess = track.height_guess;
+    z = guess.against(
+        there.placeOf(plot.range, plot.azimuth, range_sigma, azimuth_sigma, static_cast<double>(guess.height)));
+  } else {  // of one site, heights are alike, and slant range lies on the plane
+    z = tws::planarMeasurement(plot.range, site.onPlane(plot.azimuth), range_sigma, azimuth_sigma);
+    z.x += site.x;
+    z.y += site.y;
+  }
   tws::PlanarPosition there;
   if (const auto* turning = std::get_if<tws::MultipleModelFilter>(&track.filter)) {
     there = turning->predictPosition(dt, turningOf(track));
@@ -334,9 +369,10 @@ Extrapolation TrackMotion::at(const Track& track, double time) const {
   Extrapolation there{fromPlanar(planar, time), true, planar};
   if (joined_) {
     Kinematics& k = there.kinematics;
-    const double slant = track.height_guess.slantRange(k.range);
-    k.range_rate *= k.range / slant;
-    k.range = slant;
+    const tws::SiteView seen = sites_.front().view(k.x, k.y, static_cast<double>(track.height_guess.height));
+    k.range_rate *= k.range / std::max(k.range, seen.range);
+    k.range = seen.range;
+    k.azimuth = seen.azimuth;
     there.planar.position = track.height_guess.widened(there.planar.position);
   }
   return there;
@@ -400,15 +436,19 @@ void TrackMotion::predictRate(Track& track, double dt, const RadarQuality& quali
 void TrackMotion::predictJoined(Track& track, const tws::PlanarPosition& there, const RadarQuality& quality) const {
   Prediction& p = track.predicted;
   const HeightGuess& guess = track.height_guess;
-  const tws::PlanarView view = frames_[p.radar].view(there.x, there.y);
-  p.range = guess.slantRange(view.distance);
+  const tws::EarthSite& site = sites_[p.radar];
+  const tws::SiteView view = site.view(there.x, there.y, static_cast<double>(guess.height));
+  p.range = view.range;
   p.azimuth = view.azimuth;
-  const double ground = std::max(view.distance, 0.5 * p.range);
-  const double slope = -0.5 / (ground * ground);
-  const tws::PlanarPosition wider = guess.against({there, slope * view.east, slope * view.north});
-  const tws::Symmetric2 on_plane = inPolar({view.east, view.north, wider.covariance}, view.distance);
-  const double known = inPolar({view.east, view.north, there.covariance}, view.distance).xx;
-  const double flatter = ground / p.range;
+  const Eigen::Vector2d by_height = site.perHeight(view);
+  const tws::PlanarPosition wider = guess.against({there, by_height.x(), by_height.y(), view.up});
+  const Eigen::Matrix2d on_ground = site.onGround(there.x, there.y, static_cast<double>(guess.height));
+  const auto seen = [&](const tws::Symmetric2& covariance) {
+    return inPolar({view.east, view.north, mapped(covariance, on_ground)}, view.ground);
+  };
+  const tws::Symmetric2 on_plane = seen(wider.covariance);
+  const double known = seen(there.covariance).xx;
+  const double flatter = std::max(view.ground / p.range, 0.5);
   p.innovation = {on_plane.xx * flatter * flatter, on_plane.xy, on_plane.yy / (flatter * flatter)};
   constexpr double kMuch = 0.1;
   p.vague_height = (on_plane.xx - known) > kMuch * quality.rangeSigma() * quality.rangeSigma();

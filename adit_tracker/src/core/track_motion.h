@@ -1,5 +1,8 @@
 #pragma once
 
+#include <tws_core/earth_plane.h>
+#include <vector>
+
 #include "adit_params.h"
 #include "core/candidates.h"
 #include "core/fast_share.h"
@@ -35,8 +38,9 @@ class TrackMotion {
  public:
   explicit TrackMotion(const AditParams& params);
 
-  /// Where the radars stand, one frame a radar, from now on at more than one site. Needs the turning filter.
-  void join(const std::vector<tws::SiteFrame>& frames);
+  /// Where the radars stand on that plane, one frame a radar, from now on at more than one site. Needs the turning
+  /// filter.
+  void join(const std::vector<tws::SiteFrame>& frames, const tws::EarthPlane& plane);
   bool joined() const { return joined_; }
   /// Are there volumes with parameters of their own?
   bool hasVolumes() const { return !params_.volumes.empty(); }
@@ -93,11 +97,16 @@ class TrackMotion {
   void predictRate(Track& track, double dt, const RadarQuality& quality) const;
   double updateTurning(Track& track, const tws::Plot& plot, const RadarQuality& quality) const;
   double updateJoined(Track& track, const tws::Plot& plot, const RadarQuality& quality, std::size_t radar) const;
+  tws::PlaceAtHeight placeOf(const Track& track, const tws::Plot& plot, const RadarQuality& quality,
+                             std::size_t radar) const;
+  tws::SiteView view(const Track& track, std::size_t radar, double dt) const;
   void predictJoined(Track& track, const tws::PlanarPosition& there, const RadarQuality& quality) const;
 
   AditParams params_;
   std::vector<tws::SiteFrame> frames_;  // by radar, when they are at several sites
-  bool joined_ = false;                 // are they at several sites?
+  std::vector<tws::EarthSite> sites_;   // the same
+  tws::EarthPlane plane_;
+  bool joined_ = false;  // are they at several sites?
   tws::AdaptiveAlphaBeta alpha_beta_;
   FastShare fast_share_;
 };

@@ -6,15 +6,15 @@
 namespace adit_tracker {
 namespace {
 
-constexpr double kSteepest = 0.25;  // square of sin 30°
-constexpr double kFlattest = 0.1;   // least square of the ground range, as share of that of the slant range
-// Of h² of a target that climbs and sinks by 5 m/s, a minute each, at 5 km: (2 h · 5 m/s)² · 60 s [m⁴/s].
-constexpr double kClimbing = 1.5e11;
+constexpr double kSteepest = 0.5;          // sine of 30°
+constexpr double kClimbing = 25.0 * 60.0;  // of a target that climbs and sinks by 5 m/s, a minute each [m²/s]
+// What is learned may be higher than what is assumed: by so much.
+constexpr double kHigher = 2.0;
 
-/// Heights from 0 to the greatest are alike likely: mean and standard deviation of their squares, as shares of its
-/// square.
-constexpr double kMeanSquare = 1.0 / 3.0;
-constexpr double kSigmaSquare = 0.298;  // sqrt(1/5 - 1/9)
+/// Heights from 0 to the greatest are alike likely. The guess is the root of the mean square, so that the ground range
+/// near the site is right in the mean; the standard deviation is about that. Both as shares of the greatest.
+constexpr double kMean = 0.57735;   // sqrt(1/3)
+constexpr double kSigma = 0.29888;  // sqrt(1/12 + (kMean - 1/2)²)
 
 tws::Symmetric2 sumOf(const tws::Symmetric2& a, const tws::Symmetric2& b) {
   return {a.xx + b.xx, a.xy + b.xy, a.yy + b.yy};
@@ -24,82 +24,70 @@ tws::Symmetric2 sumOf(const tws::Symmetric2& a, const tws::Symmetric2& b) {
 
 HeightGuess HeightGuess::below(double greatest, double slant_range) {
   // At the steepest angle, what is below counts as the greatest height.
-  const double limit = std::min(greatest * greatest, kSteepest * slant_range * slant_range);
+  const double limit = std::min(greatest, kSteepest * slant_range);
   HeightGuess guess;
-  guess.squared = static_cast<float>(kMeanSquare * limit);
-  guess.variance = static_cast<float>(kSigmaSquare * limit * kSigmaSquare * limit);
+  guess.height = static_cast<float>(kMean * limit);
+  guess.variance = static_cast<float>(kSigma * limit * kSigma * limit);
   return guess;
 }
 
 bool HeightGuess::known() const {
   constexpr double kGoodEnough = 1000.0;  // standard deviation [m]
-  const double sigma = std::sqrt(variance);
-  return variance > 0.0F && std::sqrt(squared + sigma) - std::sqrt(std::max(0.0, squared - sigma)) < 2.0 * kGoodEnough;
+  return variance > 0.0F && variance < kGoodEnough * kGoodEnough;
 }
 
-GuessedPlace HeightGuess::placeOf(const tws::Plot& plot, double range_sigma, double azimuth_sigma,
-                                  const tws::SiteFrame& site) const {
-  const double r2 = plot.range * plot.range;
-  const double ground = std::sqrt(std::max(r2 - squared, kFlattest * r2));
-  const double azimuth = site.onPlane(plot.azimuth);
-  GuessedPlace z{tws::planarMeasurement(ground, azimuth, range_sigma * plot.range / ground, azimuth_sigma), 0.0, 0.0};
-  z.x_per_squared = -0.5 * z.place.x / (ground * ground);
-  z.y_per_squared = -0.5 * z.place.y / (ground * ground);
-  z.place.x += site.x;
-  z.place.y += site.y;
-  return z;
+void HeightGuess::begin(const tws::PlaceAtHeight& z) {
+  x_per_height = static_cast<float>(z.x_per_height);
+  y_per_height = static_cast<float>(z.y_per_height);
 }
 
-tws::PlanarPosition HeightGuess::begin(const tws::Plot& plot, double range_sigma, double azimuth_sigma,
-                                       const tws::SiteFrame& site) {
-  const GuessedPlace z = placeOf(plot, range_sigma, azimuth_sigma, site);
-  x_per_squared = static_cast<float>(z.x_per_squared);
-  y_per_squared = static_cast<float>(z.y_per_squared);
-  return z.place;
-}
-
-tws::PlanarPosition HeightGuess::against(const GuessedPlace& z) const {
-  const double dx = z.x_per_squared - x_per_squared, dy = z.y_per_squared - y_per_squared;
+tws::PlanarPosition HeightGuess::against(const tws::PlaceAtHeight& z) const {
+  const double dx = z.x_per_height - x_per_height, dy = z.y_per_height - y_per_height;
   tws::PlanarPosition wider = z.place;
-  wider.covariance = sumOf(wider.covariance, {variance * dx * dx, variance * dx * dy, variance * dy * dy});
+  // Ground range bends with the height: its second derivative is the first one over the height above the site's plane.
+  constexpr double kLeast = 500.0;  // of that [m]; there both are small
+  const double up2 = std::max(z.up * z.up, kLeast * kLeast), bent = variance * (1.0 + 0.5 * variance / up2);
+  wider.covariance = sumOf(wider.covariance, {bent * dx * dx, bent * dx * dy, bent * dy * dy});
   return wider;
 }
 
 tws::Symmetric2 HeightGuess::widened(const tws::Symmetric2& position) const {
-  const double x = x_per_squared, y = y_per_squared;
+  const double x = x_per_height, y = y_per_height;
   return sumOf(position, {variance * x * x, variance * x * y, variance * y * y});
 }
 
-tws::PlanarPosition HeightGuess::moveTo(double new_squared) {
-  const double change = new_squared - squared;
-  squared = static_cast<float>(new_squared);
-  return {x_per_squared * change, y_per_squared * change, {}};
+tws::PlanarPosition HeightGuess::moveTo(double new_height) {
+  const double change = new_height - height;
+  height = static_cast<float>(new_height);
+  return {x_per_height * change, y_per_height * change, {}};
 }
 
-tws::PlanarPosition HeightGuess::flatten(double slant_range) {
-  constexpr double kSure = 0.1;        // of the height's square, as share of it
-  constexpr double kStraightUp = 0.9;  // a target that is known to be high may pass overhead
-  const double share = variance < kSure * squared * squared ? kStraightUp : kSteepest;
-  return moveTo(std::min<double>(squared, share * slant_range * slant_range));
+tws::PlanarPosition HeightGuess::flatten(double slant_range, double antenna) {
+  constexpr double kSure = 0.15;        // standard deviation as share of the height
+  constexpr double kStraightUp = 0.95;  // a target that is known to be high may pass overhead
+  const bool sure = variance < kSure * kSure * height * height;
+  const double limit = std::max(antenna, 0.0) + (sure ? kStraightUp : kSteepest) * slant_range;
+  return height > limit ? moveTo(limit) : tws::PlanarPosition{};
 }
 
 void HeightGuess::age(double dt, double greatest) {
-  const double sigma = kSigmaSquare * greatest * greatest;
+  const double sigma = kSigma * greatest;
   variance = static_cast<float>(std::min(variance + kClimbing * dt, std::max<double>(variance, sigma * sigma)));
 }
 
-tws::PlanarPosition HeightGuess::learn(const GuessedPlace& z, const tws::PlanarPosition& predicted, double greatest) {
+tws::PlanarPosition HeightGuess::learn(const tws::PlaceAtHeight& z, const tws::PlanarPosition& predicted,
+                                       double greatest) {
   const tws::Symmetric2 S = sumOf(predicted.covariance, against(z).covariance), P = predicted.covariance;
   const double inverse = 1.0 / S.determinant();
   const tws::Symmetric2 W{S.yy * inverse, -S.xy * inverse, S.xx * inverse};
-  const double dx = z.x_per_squared - x_per_squared, dy = z.y_per_squared - y_per_squared;
+  const double dx = z.x_per_height - x_per_height, dy = z.y_per_height - y_per_height;
   const double wx = W.xx * dx + W.xy * dy, wy = W.xy * dx + W.yy * dy;
   const double error = variance * (wx * (z.place.x - predicted.x) + wy * (z.place.y - predicted.y));
   variance = static_cast<float>(variance * std::max(0.0, 1.0 - variance * (wx * dx + wy * dy)));
   // The corrected position depends on the height as prediction and plot do, by the weights of the correction.
-  x_per_squared += static_cast<float>(P.xx * wx + P.xy * wy);
-  y_per_squared += static_cast<float>(P.xy * wx + P.yy * wy);
-  return moveTo(std::clamp(squared - error, 0.0, greatest * greatest));
+  x_per_height += static_cast<float>(P.xx * wx + P.xy * wy);
+  y_per_height += static_cast<float>(P.xy * wx + P.yy * wy);
+  return moveTo(std::clamp(height - error, 0.0, kHigher * greatest));
 }
 
 }  // namespace adit_tracker

@@ -8,14 +8,15 @@ using tws_runtime::Site;
 
 // In the gate, one more than the radars: the first radar's before it is heard, which may have another frame then.
 RadarSites::RadarSites(tws_runtime::Bus& bus, const std::string& frame, const std::vector<std::string>& radars,
-                       bool joins, FrameOf frame_of)
+                       bool joins, const std::optional<tws::LocalFrame>& map, FrameOf frame_of)
     : bus_(bus),
       radars_(radars),
       joins_(joins),
       frame_of_(std::move(frame_of)),
       gate_(bus, frame, kMostWaiting, radars.size() + 1),
       frames_(radars.size()),
-      usable_(radars.size()) {}
+      usable_(radars.size()),
+      map_(map) {}
 
 /// Before its first message a radar's frame is taken to have its name.
 const std::string& RadarSites::frameOf(std::size_t slot) const {
@@ -38,15 +39,18 @@ void RadarSites::findSoon(std::size_t radar) {
 
 /// The first radar's; else, as that was given up, that of the radar in question.
 void RadarSites::findOrigin(std::size_t radar) {
+  if (origin_) return;
   for (const std::size_t slot : {radars_.size(), std::size_t{0}, radar})
     if (!origin_) origin_ = gate_.site(slot);
   if (!origin_) origin_ = Site{};
+  const Eigen::Vector3d at(origin_->x, origin_->y, origin_->z);
+  plane_ = tws::EarthPlane(map_ ? map_->origin() : tws::kSomewhere, at, origin_->turn);
 }
 
 tws::SiteFrame RadarSites::onPlane(const Site& site) const {
   const double c = std::cos(origin_->turn), s = std::sin(origin_->turn);
   const double dx = site.x - origin_->x, dy = site.y - origin_->y;
-  return {c * dx + s * dy, c * dy - s * dx, site.turn - origin_->turn};
+  return {c * dx + s * dy, c * dy - s * dx, site.turn - origin_->turn, site.z - origin_->z};
 }
 
 /// Whether the radar takes part. Its site is known or given up.

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include <tws_core/earth_plane.h>
 #include <tws_core/sectors.h>
 #include <tws_core/site_frame.h>
 
@@ -26,9 +27,9 @@ class RadarSites {
   using FrameOf = std::function<const std::string&(std::size_t radar)>;
 
   /// `frame` is that of positions. `joins`: may radars stand at other sites than the first one? Else these are left
-  /// out.
+  /// out. `map`: where that frame lies on earth, if that is known.
   RadarSites(tws_runtime::Bus& bus, const std::string& frame, const std::vector<std::string>& radars, bool joins,
-             FrameOf frame_of);
+             const std::optional<tws::LocalFrame>& map, FrameOf frame_of);
 
   /// Calls `use(sector)` once the origin and the sites of this radar and of those that wait are known or given up: now
   /// or from a later call. Left out: the sectors of a radar that is not to take part.
@@ -57,6 +58,8 @@ class RadarSites {
   const tws::SiteFrame& frame(std::size_t radar) const { return *frames_[radar]; }
   /// Any place as it lies on that plane.
   tws::SiteFrame onPlane(const tws_runtime::Site& site) const;
+  /// That plane over the earth.
+  const tws::EarthPlane& plane() const { return plane_; }
   /// The first radar's site; of the first one that is heard, when the first radar has none.
   const tws_runtime::Site& origin() const { return *origin_; }
 
@@ -75,6 +78,8 @@ class RadarSites {
   std::vector<std::optional<tws::SiteFrame>> frames_;
   std::vector<bool> usable_;
   std::optional<tws_runtime::Site> origin_;
+  std::optional<tws::LocalFrame> map_;
+  tws::EarthPlane plane_;
 };
 
 }  // namespace adit_tracker

@@ -33,7 +33,7 @@ class RadarSitesTest : public testing::Test {
     to.add(radar, sector, [this, radar](const tws::RadarSector& each) { given.emplace_back(radar, each.running); });
   }
   RadarSites make(bool joins) {
-    return {bus, "map", {"a", "b"}, joins, [this](std::size_t r) -> const std::string& { return frames[r]; }};
+    return {bus, "map", {"a", "b"}, joins, {}, [this](std::size_t r) -> const std::string& { return frames[r]; }};
   }
 
   std::ostringstream log;

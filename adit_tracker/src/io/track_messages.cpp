@@ -113,7 +113,9 @@ tws_msgs::Track trackMessage(const Adit& adit, const TrackUpdate& update, const 
   message.first_detection = tws_runtime::toTime(track.first_time);
   message.last_update = tws_runtime::toTime(track.last_update);
   setPlace(message, now.kinematics, site);
-  if (track.height_guess.known()) message.position.z = site.z + track.height_guess.height();
+  const auto guess = static_cast<double>(track.height_guess.height);
+  if (track.height_guess.known())
+    message.position.z = site.z + adit.radars().plane().zAt(now.kinematics.x, now.kinematics.y, guess);
   if (now.has_covariance) setCovariance(message, now.planar, site);
   message.detection_bits = track.detected_by;
   if (track.answers_iff != 0) message.detection_bits |= tws_msgs::Track::DETECTED_BY_IFF;
@@ -129,6 +131,7 @@ tws_msgs::Track trackMessage(const Adit& adit, const TrackUpdate& update, const 
   message.plot_azimuth = update.plot_azimuth;
   if (const auto height = adit.tracks().height(update.slot, update.time))
     setHeight(message, *height, site, !adit.radars().severalSites());
+  if (adit.params().map) tws_runtime::setGeodetic(message, *adit.params().map, guess);
   return message;
 }
 

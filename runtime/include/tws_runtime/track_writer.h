@@ -10,6 +10,7 @@
 #include <Eigen/Geometry>
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
 namespace tws_runtime {
@@ -21,6 +22,13 @@ namespace tws_runtime {
 /// altitude above the sea. All three or none; without it the frame touches a spherical earth at sea level. Whoever
 /// starts nodes on a scenario sets it from the scenario's `origin`.
 tws::SeaLevel readOrigin(ParameterReader& reader);
+
+/// The same place; nothing: the parameter is not there.
+std::optional<tws::Geodetic> readPlace(ParameterReader& reader);
+
+/// Sets latitude, longitude and altitude from the position in a map frame. Where z is unknown, `height` [m] above the
+/// ellipsoid is what the position was laid down with, and the altitude stays unknown.
+void setGeodetic(tws_msgs::Track& track, const tws::LocalFrame& map, double height = 0.0);
 
 /// A track of which nothing else is known: NaN and CODE_UNKNOWN where the message has them.
 tws_msgs::Track blankTrack(std::uint32_t number, std::uint32_t uid);
