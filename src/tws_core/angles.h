@@ -20,7 +20,9 @@ inline double wrapTwoPi(double angle) {
 /// The same direction in (-π, π]. NaN and infinities give NaN.
 inline double wrapPi(double angle) {
   if (angle > -kPi && angle <= kPi) return angle;
-  const double wrapped = std::remainder(angle, kTwoPi);  // exact, in [-π, π]
+  // Exact, in [-π, π]; the difference of two azimuths is within a turn of that, where a subtraction is exact, too.
+  const double turned = angle > 0.0 ? angle - kTwoPi : angle + kTwoPi;
+  const double wrapped = std::abs(turned) <= kPi ? turned : std::remainder(angle, kTwoPi);
   return wrapped <= -kPi ? kPi : wrapped;
 }
 

@@ -42,10 +42,10 @@ double FalsePlotMap::areaOf(int bin) const {
 
 void FalsePlotMap::close(int sector) {
   const int last = binOf(greatest_range_);
+  Cell* const cells = &at(0, sector, 0);
   for (int bin = 0; bin <= last; ++bin) {
-    Cell& cell = at(0, sector, bin);
-    cell.plots *= kKept;
-    cell.exposure = kKept * (cell.exposure + areaOf(bin));
+    cells[bin].plots *= kKept;
+    cells[bin].exposure = kKept * (cells[bin].exposure + areaOf(bin));
   }
   total(sector);
 }
@@ -67,12 +67,15 @@ void FalsePlotMap::sumUp(int sector) {
   const int last = binOf(greatest_range_);
   for (int level = 1; level < kLevels; ++level) {
     const int half = 1 << (level - 1), first = (sector >> level) << level;
-    for (int bin = 0; bin <= last; bin += 2 * half) {
-      Cell sum;
-      for (const int s : {first, first + half}) {
-        for (const int b : {bin, bin + half}) sum += at(level - 1, s, b);
-      }
-      at(level, sector, bin) = sum;
+    const Cell* const left = &at(level - 1, first, 0);
+    const Cell* const right = &at(level - 1, first + half, 0);
+    Cell* const sums = &at(level, sector, 0);
+    for (int i = 0; i <= last >> level; ++i) {
+      Cell sum = left[2 * i];
+      sum += left[2 * i + 1];
+      sum += right[2 * i];
+      sum += right[2 * i + 1];
+      sums[i] = sum;
     }
   }
 }

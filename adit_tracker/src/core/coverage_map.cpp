@@ -30,6 +30,7 @@ void CoverageMap::widen() {
   bins_.doubleDepth();
   outside_ = 0;
   for (auto& plots : false_plots_) RangeBins::sumUp(plots.data());
+  if (!has_looked_) return;  // all cells are empty
   for (int sector = 0; sector < tws::kSectors; ++sector) {
     Cell* const bins = &cells_[indexOf(0, sector, 0)];
     RangeBins::sumUp(bins);
@@ -134,6 +135,7 @@ void CoverageMap::save(RadarCounts& counts) const {
 void CoverageMap::load(const RadarCounts& counts) {
   CoverageMap loaded;
   loaded.bins_ = RangeBins(counts.cover.depth);
+  loaded.has_looked_ = true;
   for (int sector = 0; sector < tws::kSectors; ++sector) {
     for (int bin = 0; bin <= kBins; ++bin) {
       const CellCount& cell = counts.cover.at(sector, bin);
