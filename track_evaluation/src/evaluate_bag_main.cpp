@@ -11,6 +11,7 @@
 #include <iostream>
 
 #include "bag_contents.h"
+#include "registration_table.h"
 #include "result_file.h"
 
 namespace {
@@ -18,7 +19,7 @@ namespace {
 using namespace track_evaluation;
 
 struct BagOptions {
-  std::string bag, json, series, picture;
+  std::string bag, json, series, picture, registration;
   std::string config, requirements;
   std::vector<std::string> trackers;
   bool truth_optional = false, quiet = false;
@@ -73,7 +74,7 @@ void scoreRun(const BagOptions& options) {
   const std::string name = contents.space.empty() ? "evaluation" : contents.space.substr(1) + "/evaluation";
   EvaluationNode node(graph.addNode(name, parametersFor(options, contents), contents.remaps()));
   ResultFile json(options.json, {options.bag}), series(options.series, {options.bag}),
-      picture(options.picture, {options.bag});
+      picture(options.picture, {options.bag}), registration(options.registration, {options.bag});
   if (series) node.writeSeries(series.stream());
   if (picture) node.writePicture(picture.stream(), 2.0);
   tws_runtime::BagSource source(graph, options.bag, contents.topics());
@@ -81,7 +82,8 @@ void scoreRun(const BagOptions& options) {
   node.finish();
   check(options, contents, node);
   if (json) node.writeJson(json.stream(), options.bag);
-  for (ResultFile* file : {&json, &series, &picture}) file->finish();
+  if (registration) writeRegistrationTable(options.bag, registration.stream());
+  for (ResultFile* file : {&json, &series, &picture, &registration}) file->finish();
   if (!options.quiet) node.writeTable(std::cout);
 }
 
@@ -90,6 +92,8 @@ void addBagOptions(CLI::App& app, BagOptions& options) {
   app.add_option("--json", options.json, "write the metrics into this file");
   app.add_option("--series", options.series, "write the metrics of each epoch into this CSV file");
   app.add_option("--picture", options.picture, "write where truths and tracks are into this CSV file");
+  app.add_option("--registration", options.registration,
+                 "write what trackers said of their radars' errors of registration into this CSV file");
   app.add_option("--tracker", options.trackers, "evaluate this tracker only; several times for several");
   app.add_option("--config", options.config, "parameters in place of config/evaluation.yaml");
   app.add_option("--requirements", options.requirements, "limits in place of config/requirements.yaml");
