@@ -133,6 +133,23 @@ IdentityPlot identityPlot(const tws_msgs::SsrPlot& plot, const PlanarFrame& site
   return {plot.stamp.toSec(), polarPosition(plot.range, plot.azimuth, site), identityText(plot)};
 }
 
+std::string alignmentText(const tws_msgs::RadarRegistration& radar) {
+  using tws_msgs::RadarRegistration;
+  constexpr std::size_t kRange = 0, kAzimuth = 2, kClock = 5;  // in the message
+  for (const double applied : radar.applied) requireFinite(applied, "applied");
+  if (radar.state == RadarRegistration::TOO_LARGE) return "errors too large";
+  const double terms[] = {radar.applied[kRange], tws::degrees(radar.applied[kAzimuth]), radar.applied[kClock]};
+  constexpr const char* kFormats[] = {"%+.0f m", "%+.2f deg", "%+.2f s"};
+  constexpr double kShown[] = {1.0, 0.01, 0.01};  // less is not worth a word
+  std::string said = radar.state == RadarRegistration::DRIFTING ? "drifts" : "";
+  for (std::size_t i = 0; i < 3; ++i) {
+    char text[32];
+    std::snprintf(text, sizeof text, kFormats[i], terms[i]);
+    if (std::abs(terms[i]) >= kShown[i]) said += (said.empty() ? "" : " ") + std::string(text);
+  }
+  return said;
+}
+
 std::string identityText(const tws_msgs::Track& track) { return codeAndLevel(track.mode_3a, track.height); }
 
 std::string identityText(const tws_msgs::SsrPlot& plot) {

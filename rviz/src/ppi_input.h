@@ -5,6 +5,7 @@
 #include <tws_msgs/CorrelatedTrack.h>
 #include <tws_msgs/Detection.h>
 #include <tws_msgs/RadarMap.h>
+#include <tws_msgs/RadarRegistration.h>
 #include <tws_msgs/SectorMark.h>
 #include <tws_msgs/SsrPlot.h>
 #include <tws_msgs/Track.h>
@@ -46,6 +47,10 @@ TrackReport trackReport(const tws_msgs::CorrelatedTrack& track, std::size_t sour
                         const PlanarFrame& frame);
 
 IdentityPlot identityPlot(const tws_msgs::SsrPlot& plot, const PlanarFrame& site);
+
+/// What is taken out of a radar's plots, e.g. "+40 m +0.15 deg -0.30 s", or why nothing is; empty: there is nothing to
+/// say.
+std::string alignmentText(const tws_msgs::RadarRegistration& radar);
 
 /// Mode 3/A code in octal and flight level, as far as known, e.g. "4271 F350"; empty: neither.
 std::string identityText(const tws_msgs::Track& track);

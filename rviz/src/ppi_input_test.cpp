@@ -114,6 +114,23 @@ TEST(PpiInput, CodeAndLevelAreWrittenAsOperatorsSayThem) {
   EXPECT_EQ(identityText(known), "F010");
 }
 
+// If this fails, the operator reads of errors that nobody takes out, or in units that are not said.
+TEST(PpiInput, WhatIsTakenOutOfARadarsPlotsIsSaidInWords) {
+  tws_msgs::RadarRegistration radar;
+  radar.state = tws_msgs::RadarRegistration::APPLIED;
+  EXPECT_EQ(alignmentText(radar), "");
+  radar.applied[0] = 40.2;
+  radar.applied[2] = -0.005;
+  EXPECT_EQ(alignmentText(radar), "+40 m -0.29 deg");
+  radar.applied[5] = 0.3;
+  radar.state = tws_msgs::RadarRegistration::DRIFTING;
+  EXPECT_EQ(alignmentText(radar), "drifts +40 m -0.29 deg +0.30 s");
+  radar.state = tws_msgs::RadarRegistration::TOO_LARGE;
+  EXPECT_EQ(alignmentText(radar), "errors too large");
+  radar.applied[2] = NAN;
+  EXPECT_THROW(alignmentText(radar), std::invalid_argument);
+}
+
 TEST(PpiInput, ATrackThatMakesNoSenseIsRefused) {
   tws_msgs::Track bad = track();
   bad.state = 0;

@@ -4,6 +4,7 @@
 #include <tws_msgs/CorrelatedTracks.h>
 #include <tws_msgs/Detections.h>
 #include <tws_msgs/RadarMap.h>
+#include <tws_msgs/Registration.h>
 #include <tws_msgs/SsrPlots.h>
 #include <tws_msgs/Tracks.h>
 #include <tws_msgs/Truth.h>
@@ -55,6 +56,9 @@ class PpiNode::Impl {
       intake_.subscribe<tws_msgs::ClutterMap>({params_.clutter_topic}, [this](const auto& map) { onClutter(map); });
     if (!params_.maps_topic.empty())
       intake_.subscribe<tws_msgs::RadarMap>({params_.maps_topic}, [this](const auto& map) { onMap(map); });
+    if (!params_.registration_topic.empty())
+      intake_.subscribe<tws_msgs::Registration>({params_.registration_topic},
+                                                [this](const auto& m) { onAlignment(m); });
     if (params_.truth)
       intake_.subscribe<tws_msgs::Truth>({params_.truth_topic}, [this](const auto& truth) { onTruth(truth); });
     drawBackground();
@@ -139,6 +143,12 @@ class PpiNode::Impl {
   void onMap(const tws_msgs::RadarMap& map) {
     applyInFrame({"radar maps", params_.maps_topic, map.header},
                  [&](const Origin&, const PlanarFrame& site) { picture_.setCells(map.radar, radarCells(map, site)); });
+  }
+
+  void onAlignment(const tws_msgs::Registration& message) {
+    const Origin origin{"registrations", params_.registration_topic, message.header};
+    for (const tws_msgs::RadarRegistration& radar : message.radars)
+      applyOrReject(origin, [&] { picture_.setAlignment(radar.radar, alignmentText(radar)); });
   }
 
   void onTruth(const tws_msgs::Truth& truth) {

@@ -4,6 +4,7 @@
 #include <tf2_msgs/TFMessage.h>
 #include <tws_msgs/Detections.h>
 #include <tws_msgs/RadarMap.h>
+#include <tws_msgs/Registration.h>
 #include <tws_msgs/SectorMark.h>
 #include <tws_msgs/Tracks.h>
 #include <tws_runtime/local_graph.h>
@@ -65,8 +66,14 @@ TEST(PpiNode, CountsBadInputAndGoesOn) {
   maps.publish(map);
   map.radar = "nosuch";
   maps.publish(map);
+  tws_msgs::Registration registration;
+  registration.radars.resize(2);
+  registration.radars[0].radar = "sps12";
+  registration.radars[1].radar = "nosuch";
+  radar.advertise<tws_msgs::Registration>("/adit/registration").publish(registration);
   graph.drain();
 
+  EXPECT_EQ(count(graph, "refused registrations"), 1u);
   EXPECT_EQ(count(graph, "refused detections"), 1u);
   EXPECT_EQ(count(graph, "refused sector marks"), 1u);
   EXPECT_EQ(count(graph, "refused radar maps"), 2u);

@@ -92,6 +92,7 @@ PpiParams loadPpiParams(ParameterReader reader) {
   reader.number("track_timeout", params.tracks.timeout, 1.0, 36000.0);
   reader.text("clutter_topic", params.clutter_topic);
   reader.text("maps_topic", params.maps_topic);
+  reader.text("registration_topic", params.registration_topic);
   reader.flag("legend", params.legend);
   reader.flag("truth", params.truth);
   reader.text("truth_topic", params.truth_topic);

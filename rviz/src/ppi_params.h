@@ -44,9 +44,10 @@ struct PpiParams {
   double afterglow = tws::radians(60.0);  // angle that glows behind the beam [rad]
   double persistence_scans = 2.0;         // scans after which a detection has faded
   TrackLook tracks;
-  std::string clutter_topic = "adit/clutter_map";  // empty: none
-  std::string maps_topic = "adit/radar_maps";      // empty: none
-  bool legend = true;                              // what the symbols mean
+  std::string clutter_topic = "adit/clutter_map";        // empty: none
+  std::string maps_topic = "adit/radar_maps";            // empty: none
+  std::string registration_topic = "adit/registration";  // empty: none
+  bool legend = true;                                    // what the symbols mean
   bool truth = false;
   std::string truth_topic = "truth";
   std::vector<RadarParams> radars;            // default: sps12, sps39, sps10

@@ -20,7 +20,7 @@ PpiPicture::PpiPicture(const PpiParams& params)
       style_(params.picture_range, params.text_scale),
       tracks_(params.tracks),
       latest_(params.trackers.size() + params.correlators.size()) {
-  for (const RadarParams& radar : params.radars) radars_.push_back({radar, {}, {}, {}, false});
+  for (const RadarParams& radar : params.radars) radars_.push_back({radar, {}, {}, {}, false, ""});
 }
 
 void PpiPicture::add(std::size_t radar, const BeamMark& mark, const PlanarFrame& site) {
@@ -72,11 +72,18 @@ Drawing PpiPicture::detections(double time) const {
   return drawing;
 }
 
+PpiPicture::Radar& PpiPicture::radarNamed(const std::string& name) {
+  for (Radar& radar : radars_)
+    if (radar.params.name == name) return radar;
+  throw std::invalid_argument("the picture has no radar '" + name + "'");
+}
+
 void PpiPicture::setCells(const std::string& radar, RadarCells cells) {
-  const auto is_it = [&](const Radar& known) { return known.params.name == radar; };
-  if (std::none_of(radars_.begin(), radars_.end(), is_it))
-    throw std::invalid_argument("the picture has no radar '" + radar + "'");
-  cells_[radar] = std::move(cells);
+  cells_[radarNamed(radar).params.name] = std::move(cells);
+}
+
+void PpiPicture::setAlignment(const std::string& radar, const std::string& alignment) {
+  radarNamed(radar).alignment = alignment;
 }
 
 Drawing PpiPicture::maps() const {
@@ -112,7 +119,7 @@ Drawing PpiPicture::status(double time) const {
   for (const Radar& radar : radars_)
     if (radar.has_mark)
       status.radars.push_back({radar.params.name, radar.params.color, radar.sweep.rotationPeriod(),
-                               radar.sweep.azimuthAt(time).has_value()});
+                               radar.sweep.azimuthAt(time).has_value(), radar.alignment});
   const std::set<std::size_t> hidden = covered(time);
   const auto add = [&](std::size_t source, const std::string& name) {
     if (latest_[source] && hidden.count(source) == 0) status.trackers.push_back({name, tracks_.counts(source)});

@@ -44,6 +44,8 @@ class PpiPicture {
   /// What a tracker has learned of the radar of that name: it stays until the next one.
   /// Throws std::invalid_argument when it is none of the picture's.
   void setCells(const std::string& radar, RadarCells cells);
+  /// What is taken out of its plots, or why nothing is: the same.
+  void setAlignment(const std::string& radar, const std::string& alignment);
   void setTruth(double time, std::vector<Eigen::Vector2d> positions) { truth_ = {time, std::move(positions)}; }
 
   /// Where a radar stands, by its name; nothing: no mark of it came yet, or it is none of the picture's.
@@ -67,6 +69,7 @@ class PpiPicture {
     Sweep sweep;
     FadingDetections detections;
     bool has_mark = false;
+    std::string alignment;
   };
   // What one message brings whole, shown until the next one or until it is too old.
   template <class T>
@@ -75,6 +78,8 @@ class PpiPicture {
     std::vector<T> items;
   };
 
+  /// Throws std::invalid_argument when it is none of the picture's.
+  Radar& radarNamed(const std::string& name);
   double persistence(const Radar& radar) const;
   double spacing() const;
   /// The trackers in whose place a correlator's picture stands at this time.

@@ -1,5 +1,6 @@
 #include "status_board.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -23,6 +24,16 @@ class Column {
     corner_.y() -= 1.25 * height_;
   }
 
+  /// The first of the texts that stays out of a circle round the origin, or else the last.
+  void writeOutside(double radius, const std::vector<std::string>& texts, const Rgba& color) {
+    const auto is_outside = [&](const std::string& text) {
+      const Eigen::Vector2d size = textSize(text, height_);
+      return (corner_ + Eigen::Vector2d(size.x(), -size.y())).norm() > radius;
+    };
+    const auto found = std::find_if(texts.begin(), texts.end(), is_outside);
+    write(found == texts.end() ? texts.back() : *found, color);
+  }
+
  private:
   Drawing& drawing_;
   Eigen::Vector2d corner_;
@@ -35,11 +46,14 @@ std::string kilometres(double metres) {
   return text;
 }
 
-std::string radarText(const RadarStatus& radar) {
-  if (!radar.turning) return radar.name + "  silent";
-  char text[64];
-  std::snprintf(text, sizeof text, "%s  %.1f s", radar.name.c_str(), radar.rotation_period);
-  return text;
+/// What there is to say of a radar, the longest first.
+std::vector<std::string> radarTexts(const RadarStatus& radar) {
+  if (!radar.turning) return {radar.name + "  silent"};
+  char period[32];
+  std::snprintf(period, sizeof period, "  %.1f s", radar.rotation_period);
+  const std::string brief = radar.name + period;
+  if (radar.alignment.empty()) return {brief};
+  return {brief + "  " + radar.alignment, radar.name + "  " + radar.alignment, brief + "  aligned", brief + " *"};
 }
 
 }  // namespace
@@ -56,7 +70,7 @@ Drawing drawStatus(const PpiStyle& style, const PpiStatus& status) {
   Column left(drawing, style.range * Eigen::Vector2d(kLeft, kTop), style.text);
   left.write(clockText(status.time), style.firm);
   left.write(kilometres(style.range) + " km / " + kilometres(status.spacing), style.scale_text);
-  for (const RadarStatus& radar : status.radars) left.write(radarText(radar), radar.color);
+  for (const RadarStatus& radar : status.radars) left.writeOutside(style.range, radarTexts(radar), radar.color);
   Column right(drawing, style.range * Eigen::Vector2d(kRight, kTop), style.text);
   for (const TrackerStatus& tracker : status.trackers) {
     right.write(tracker.name, style.scale_text);

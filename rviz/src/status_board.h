@@ -16,6 +16,7 @@ struct RadarStatus {
   Rgba color;
   double rotation_period = 0.0;  // [s]; NaN: unknown
   bool turning = false;          // its beam is drawn
+  std::string alignment;         // what is taken out of its plots; empty: nothing
 };
 
 struct TrackerStatus {
@@ -34,8 +35,9 @@ struct PpiStatus {
 /// Time of day, e.g. "00:02:05", from seconds since midnight or the epoch.
 std::string clockText(double time);
 
-/// The text in the upper corners outside of the circle: on the left time, scale and radars in their colours, on the
-/// right the number of tracks of each state in its colour.
+/// The text in the upper corners outside of the circle: on the left time, scale and radars in their colours, with what
+/// is taken out of their plots as far as there is room (a star: there is more to say), on the right the number of
+/// tracks of each state in its colour.
 Drawing drawStatus(const PpiStyle& style, const PpiStatus& status);
 
 }  // namespace tws_rviz
