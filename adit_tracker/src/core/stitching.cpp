@@ -20,7 +20,7 @@ std::optional<double> Stitching::detour(const TrackMotion& motion, const Track& 
                                         double period) const {
   const StitchingParams& limits = params_.in(found.volume).stitching;
   const double gap = found.first_time - lost.last_update;
-  if (!lost.firm || !lost.coasting || gap <= 0.0 || gap > limits.longest_gap * period) return std::nullopt;
+  if (gap <= 0.0 || gap > limits.longest_gap * period) return std::nullopt;
   const tws::PlanarMotion from = motion.at(lost, lost.last_update).planar,
                           to = motion.at(found, found.first_time).planar;
   const double before = speedOf(from), after = speedOf(to);
@@ -37,7 +37,7 @@ std::optional<TrackFile::Slot> Stitching::lostBefore(const TrackBook& tracks, Tr
   if (params_.in(tracks.at(slot).volume).stitching.longest_gap == 0.0) return std::nullopt;
   double least = std::numeric_limits<double>::infinity(), second = least;
   std::optional<TrackFile::Slot> found;
-  for (const TrackFile::Slot other : tracks.living()) {
+  for (const TrackFile::Slot other : tracks.lost()) {
     if (other == slot || tracks.isDropped(other)) continue;
     const auto off = detour(tracks.motion(), tracks.at(other), tracks.at(slot), period);
     if (!off) continue;

@@ -16,7 +16,7 @@ class Stitching {
   explicit Stitching(const AditParams& params) : params_(params) {}
 
   /// The track that was lost where `slot`, which a radar of that period [s] has just made firm, began; nothing: none,
-  /// or nobody knows which. Looks at all tracks.
+  /// or nobody knows which. Looks at all firm tracks that coast.
   std::optional<TrackFile::Slot> lostBefore(const TrackBook& tracks, TrackFile::Slot slot, double period) const;
 
  private:

@@ -31,7 +31,7 @@ class StitchingTest : public testing::Test {
   /// Its last detection was at 60 s.
   TrackFile::Slot lost(double x, double y, double vx, double vy) {
     const auto slot = track(x, y, vx, vy, 60.0, 10);
-    book_.at(slot).coasting = true;
+    book_.setCoasting(slot, true);
     return slot;
   }
   /// Its first detection was at 72 s.
@@ -64,7 +64,7 @@ TEST_F(StitchingTest, ATrackThatBeginsWhereAnotherOneCouldHaveTurnedToTakesOverI
 // If this fails, a track's number leaps to another aircraft.
 TEST_F(StitchingTest, ATrackThatIsStillDetectedKeepsItsNumber) {
   const auto before = lost(20e3, 50e3, 250.0, 0.0);
-  book_.at(before).coasting = false;
+  book_.setCoasting(before, false);
   EXPECT_FALSE(stitching_.lostBefore(book_, found(18e3, 51.5e3, -250.0, 0.0), kPeriod));
 }
 
@@ -86,7 +86,7 @@ TEST_F(StitchingTest, OfTwoThatWereLostThereNeitherIsTakenUnlessOneIsClearlyNear
   const auto after = found(23e3, 52e3, 0.0, 250.0);
   const auto other = lost(20e3, 48e3, 250.0, 0.0);
   EXPECT_FALSE(stitching_.lostBefore(book_, after, kPeriod));
-  book_.at(other).coasting = false;
+  book_.setCoasting(other, false);
   EXPECT_EQ(stitching_.lostBefore(book_, after, kPeriod), near);
 }
 

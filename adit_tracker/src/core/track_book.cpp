@@ -35,6 +35,7 @@ void TrackBook::begin(const tws::SectorRef& sector, double enter_time) {
 
 void TrackBook::end() {
   for (const auto slot : dropped_) {
+    lost_.erase(slot);
     heights_.remove(tracks_.at(slot).uid);
     tracks_.drop(slot);
   }
@@ -124,7 +125,7 @@ void TrackBook::update(Slot slot, const tws::SectorRef& sector, RadarQuality& qu
     heights_.update(track.uid, plot);
   }
   enterVolume(track);
-  track.coasting = false;
+  setCoasting(slot, false);
   track.updated[sector.radar] = plot.time;
   track.illuminated[sector.radar] = tws::Antenna::near(plot.azimuth, sector.running);
   track.detected_by = static_cast<std::uint16_t>(track.detected_by | 1U << sector.radar);
@@ -152,7 +153,7 @@ bool TrackBook::updateWeighed(const Correlation& c, const std::vector<PlotChance
   const auto bit = static_cast<std::uint16_t>(1U << sector.radar);
   track.illuminated[sector.radar] = tws::Antenna::near(track.predicted.azimuth, sector.running);
   motion_.update(track, plots, c.missed, time, quality);
-  track.coasting = !detected;
+  setCoasting(c.slot, !detected);
   track.detected_by = static_cast<std::uint16_t>(detected ? track.detected_by | bit : track.detected_by & ~bit);
   if (detected) {
     ++track.updates;
@@ -190,7 +191,7 @@ void TrackBook::share(Slot slot, const tws::SectorRef& sector, const tws::Plot& 
   }
   track.updates = updates;  // no evidence
   judge_.unresolved(track, plot.time);
-  track.coasting = false;
+  setCoasting(slot, false);
   track.illuminated[sector.radar] = tws::Antenna::near(plot.azimuth, sector.running);
   track.detected_by = static_cast<std::uint16_t>(track.detected_by | 1U << sector.radar);
   report_.updates.push_back({slot, TrackEvent::kUpdated, std::max(track.smoothed.time, plot.time), plot});
@@ -235,7 +236,7 @@ bool TrackBook::miss(Slot slot, const tws::SectorRef& sector) {
   track.illuminated[sector.radar] = tws::Antenna::near(track.predicted.azimuth, sector.running);
   track.detected_by = static_cast<std::uint16_t>(track.detected_by & ~(1U << sector.radar));
   if (outOfReach(track, radars_.quality(sector.radar))) return true;
-  track.coasting = true;
+  setCoasting(slot, true);
   const double time = track.predicted.time;
   const bool over = judge_.missed(track, sector.radar, time);
   look(track, radars_.quality(sector.radar), 0.0);
@@ -254,7 +255,15 @@ void TrackBook::drop(Slot slot, double time) {
   ++counts_.tracks_dropped;
 }
 
+void TrackBook::setCoasting(Slot slot, bool coasting) {
+  Track& track = tracks_.at(slot);
+  if (coasting && track.firm) lost_.insert(slot);
+  if (!coasting && track.coasting) lost_.erase(slot);
+  track.coasting = coasting;
+}
+
 void TrackBook::becomeFirm(Slot slot) {
+  if (tracks_.at(slot).coasting) lost_.insert(slot);
   ++counts_.tracks_firm;
   motion_.learnSpeed(tracks_.at(slot));
   newly_firm_.push_back(slot);

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <set>
 #include <vector>
 
 #include "core/adit_counts.h"
@@ -91,6 +92,11 @@ class TrackBook {
   void dropByHand(Slot slot);
   void reportByHand(Slot slot, TrackEvent event) { by_hand_.push_back({slot, event, report_.enter_time}); }
 
+  /// Whether the beam that met the track last has detected it.
+  void setCoasting(Slot slot, bool coasting);
+  /// Firm tracks that it has not: few of all.
+  const std::set<Slot>& lost() const { return lost_; }
+
   /// The origin of the plane moves [m], the tracks do not.
   void moveOrigin(double dx, double dy);
 
@@ -139,6 +145,7 @@ class TrackBook {
   HeightFile heights_;
   SectorReport report_;
   std::vector<Slot> dropped_, newly_firm_;
+  std::set<Slot> lost_;
   std::vector<TrackUpdate> by_hand_;
 };
 
