@@ -22,7 +22,8 @@ import shell_words
 RUN, REPORT, TEST = ("packages",), ("packages", "report_packages"), ("packages", "report_packages", "developer_packages")
 # What package.xml calls by rosdep's names instead of ROS packages'.
 SYSTEM_KEYS = {"boost": "libboost-dev", "bzip2": "libbz2-dev", "cli11": "libcli11-dev", "eigen": "libeigen3-dev",
-               "libcsv-dev": "libcsv-dev", "lz4": "liblz4-dev", "tinyxml2": "libtinyxml2-dev", "yaml-cpp": "libyaml-cpp-dev",
+               "geographiclib": "libgeographiclib-dev", "libcsv-dev": "libcsv-dev", "lz4": "liblz4-dev",
+               "tinyxml2": "libtinyxml2-dev", "yaml-cpp": "libyaml-cpp-dev",
                "python3-matplotlib": "python3-matplotlib", "python3-numpy": "python3-numpy", "python3-yaml": "python3-yaml"}
 # Programs that are called only where they are.
 OPTIONAL = {"sudo"}

@@ -3,6 +3,8 @@
 
 If this fails, a copied scenario or a moved bag is silently tracked with other parameters, or not at all.
 """
+import io
+import math
 import pathlib
 import shutil
 import subprocess
@@ -30,6 +32,24 @@ def renamed(source, target, name_of):
             if topic.split("/")[-1] in SENSORS:
                 out.write(name_of(topic), message, time)
     return target
+
+
+def on_the_map(bag):
+    """The bytes of all tracks but for where they lie on earth: only the description of the graph says where the map is."""
+    found = []
+    with rosbag.Bag(str(bag)) as opened:
+        for _, message, _ in opened.read_messages(["/adit/tracks"]):
+            message.header.seq = 0
+            for track in message.tracks:
+                track.latitude = track.longitude = track.altitude = math.nan
+            found.append(bytes_of(message))
+    return found
+
+
+def bytes_of(message):
+    buffer = io.BytesIO()
+    message.serialize(buffer)
+    return buffer.getvalue()
 
 
 class Content(unittest.TestCase):
@@ -62,7 +82,7 @@ class Content(unittest.TestCase):
 
     def test_topics_without_a_leading_slash_are_tracked(self):
         bag = renamed(self.aircraft, self.folder / "no_slash.bag", lambda topic: topic.lstrip("/"))
-        self.assertEqual(tracks(self.offline(bag, "no_slash"), "/adit/tracks"), tracks(self.aircraft, "/adit/tracks"))
+        self.assertEqual(on_the_map(self.offline(bag, "no_slash")), on_the_map(self.aircraft))
 
     def test_topics_in_a_namespace_are_tracked_there_and_scored(self):
         bag = renamed(self.aircraft, self.folder / "ship1.bag", lambda topic: topic if topic == "/tf_static" else "/ship1" + topic)
@@ -76,7 +96,7 @@ class Content(unittest.TestCase):
     def test_a_radar_under_other_topics_is_found_by_the_name_in_its_messages(self):
         bag = renamed(self.aircraft, self.folder / "north.bag",
                       lambda topic: {"/sps12/detections": "/north/video/plots", "/sps12/sector_marks": "/north/marks"}.get(topic, topic))
-        self.assertEqual(tracks(self.offline(bag, "north"), "/adit/tracks"), tracks(self.aircraft, "/adit/tracks"))
+        self.assertEqual(on_the_map(self.offline(bag, "north")), on_the_map(self.aircraft))
 
     def test_what_cannot_be_understood_is_refused(self):
         bag = self.folder / "nobodys.bag"
