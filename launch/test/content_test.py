@@ -3,8 +3,6 @@
 
 If this fails, a copied scenario or a moved bag is silently tracked with other parameters, or not at all.
 """
-import io
-import math
 import pathlib
 import shutil
 import subprocess
@@ -14,7 +12,7 @@ import unittest
 
 import rosbag
 
-from graph_test_kit import message_bytes as tracks
+from graph_test_kit import bytes_off_the_map, message_bytes as tracks
 
 SCENARIOS = pathlib.Path(__file__).resolve().parent.parent / "scenarios"
 SENSORS = {"detections", "sector_marks", "range_profile", "truth", "tf_static"}
@@ -34,22 +32,9 @@ def renamed(source, target, name_of):
     return target
 
 
-def on_the_map(bag):
-    """The bytes of all tracks but for where they lie on earth: only the description of the graph says where the map is."""
-    found = []
+def off_the_map(bag):
     with rosbag.Bag(str(bag)) as opened:
-        for _, message, _ in opened.read_messages(["/adit/tracks"]):
-            message.header.seq = 0
-            for track in message.tracks:
-                track.latitude = track.longitude = track.altitude = math.nan
-            found.append(bytes_of(message))
-    return found
-
-
-def bytes_of(message):
-    buffer = io.BytesIO()
-    message.serialize(buffer)
-    return buffer.getvalue()
+        return [bytes_off_the_map(message) for _, message, _ in opened.read_messages(["/adit/tracks"])]
 
 
 class Content(unittest.TestCase):
@@ -82,7 +67,7 @@ class Content(unittest.TestCase):
 
     def test_topics_without_a_leading_slash_are_tracked(self):
         bag = renamed(self.aircraft, self.folder / "no_slash.bag", lambda topic: topic.lstrip("/"))
-        self.assertEqual(on_the_map(self.offline(bag, "no_slash")), on_the_map(self.aircraft))
+        self.assertEqual(off_the_map(self.offline(bag, "no_slash")), off_the_map(self.aircraft))
 
     def test_topics_in_a_namespace_are_tracked_there_and_scored(self):
         bag = renamed(self.aircraft, self.folder / "ship1.bag", lambda topic: topic if topic == "/tf_static" else "/ship1" + topic)
@@ -96,7 +81,7 @@ class Content(unittest.TestCase):
     def test_a_radar_under_other_topics_is_found_by_the_name_in_its_messages(self):
         bag = renamed(self.aircraft, self.folder / "north.bag",
                       lambda topic: {"/sps12/detections": "/north/video/plots", "/sps12/sector_marks": "/north/marks"}.get(topic, topic))
-        self.assertEqual(on_the_map(self.offline(bag, "north")), on_the_map(self.aircraft))
+        self.assertEqual(off_the_map(self.offline(bag, "north")), off_the_map(self.aircraft))
 
     def test_what_cannot_be_understood_is_refused(self):
         bag = self.folder / "nobodys.bag"

@@ -1,4 +1,6 @@
 """What tests and campaigns of whole graphs have in common."""
+import io
+import math
 import socket
 
 import rosbag
@@ -14,6 +16,16 @@ def message_bytes(bag, topic="/adit/tracks"):
     """All messages on a topic as bytes, without the first four, which are header.seq."""
     with rosbag.Bag(str(bag)) as opened:
         return [raw[1][4:] for _, raw, _ in opened.read_messages([topic], raw=True)]
+
+
+def bytes_off_the_map(message):
+    """A message of tracks as bytes, without header.seq and where on earth they lie: that, only graphs of scenarios are told."""
+    message.header.seq = 0
+    for track in message.tracks:
+        track.latitude = track.longitude = track.altitude = math.nan
+    out = io.BytesIO()
+    message.serialize(out)
+    return out.getvalue()
 
 
 def check_same(lives, others, of="", least=100, apart=10):

@@ -52,6 +52,16 @@ class ReportTest(unittest.TestCase):
         self.assertIn("90.00 %", page)
         self.assertIn("FAIL", page)
 
+    # If this fails, nobody sees that a radar was misaligned; or numbers of a foreign bag that are none end in no page at all.
+    def test_it_shows_errors_of_registration_where_they_are_known(self):
+        run = self.run_folder("one", 0.9)
+        self.assertNotIn("Registration", self.page(run))
+        shown = ",".join(f"{name},{name}_sigma,{name}_applied" for name in ("range_m", "azimuth_rad", "clock_s"))
+        rows = [f"tracker,t_s,radar,state,relative_only,{shown}"]
+        rows += [f"adit,{t},sps12,2,1,{40 + t},9,40,.01,.001,.01,{clock},.1,0" for t, clock in ((5, 0), (10, "nan"), (15, 0.1))]
+        (run / "registration.csv").write_text("\n".join(rows) + "\n")
+        self.assertIn("<h2>Registration</h2>", self.page(run))
+
     def test_two_runs_stand_side_by_side_with_their_difference(self):
         page = self.page(self.run_folder("one", 0.9), self.run_folder("two", 0.95))
         self.assertIn("<td class='n better'>+5.00 %</td>", page)
