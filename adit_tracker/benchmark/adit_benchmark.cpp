@@ -16,9 +16,9 @@ namespace adit_tracker {
 namespace {
 
 constexpr double kPeriods[] = {6.0, 8.0};
-constexpr double kWarmUp = 48.0, kMeasured = 24.0;                   // [s]
-constexpr double kDensity = 1000.0 / (tws::kPi * 100e3 * 100e3);     // targets [1/m²]
-constexpr double kFalseDensity = 20.0 / (tws::kPi * 100e3 * 100e3);  // false plots a scan
+constexpr double kWarmUp = 48.0, kMeasured = 24.0;                       // [s]
+constexpr double kDensity = 1000.0 / (tws::kPi * 100e3 * 100e3);         // targets [1/m²]
+constexpr double kFalsePlotDensity = 20.0 / (tws::kPi * 100e3 * 100e3);  // false plots a scan
 
 struct Target {
   double x, y, vx, vy;
@@ -90,7 +90,7 @@ class World {
       add(range + 100.0 * normal(random_), tws::wrapTwoPi(azimuth), azimuth + azimuthSigma() * normal(random_), rate);
     }
     const double area = tws::kPi * radius_ * radius_;
-    const int false_plots = std::poisson_distribution<int>(kFalseDensity * area)(random_);
+    const int false_plots = std::poisson_distribution<int>(kFalsePlotDensity * area)(random_);
     for (int i = 0; i < false_plots; ++i) {
       const double azimuth = unit(random_) * tws::kTwoPi;
       add(std::sqrt(unit(random_)) * radius_, azimuth, azimuth, any_rate(random_rate));

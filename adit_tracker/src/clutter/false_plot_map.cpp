@@ -70,7 +70,8 @@ void FalsePlotMap::sumUp(int sector) {
     const Cell* const left = &at(level - 1, first, 0);
     const Cell* const right = &at(level - 1, first + half, 0);
     Cell* const sums = &at(level, sector, 0);
-    for (int i = 0; i <= last >> level; ++i) {
+    const std::ptrdiff_t end = (last >> level) + 1;
+    for (std::ptrdiff_t i = 0; i < end; ++i) {
       Cell sum = left[2 * i];
       sum += left[2 * i + 1];
       sum += right[2 * i];
