@@ -6,6 +6,8 @@
 #include <tws_core/angles.h>
 #include <tws_core/earth_plane.h>
 
+#include "core/flat_place.h"
+
 namespace adit_tracker {
 namespace {
 
@@ -21,9 +23,7 @@ tws::PlaceAtHeight placeOf(const Radars& radars, std::size_t radar, const tws::P
   if (radars.severalSites())
     return siteOf(radars, radar).placeOf(plot.range, plot.azimuth, range_sigma, azimuth_sigma, height);
   tws::PlaceAtHeight there{};
-  there.place = tws::planarMeasurement(plot.range, state.frame.onPlane(plot.azimuth), range_sigma, azimuth_sigma);
-  there.place.x += state.frame.x;
-  there.place.y += state.frame.y;
+  there.place = flatPlace(state.frame, plot, range_sigma, azimuth_sigma);
   return there;
 }
 

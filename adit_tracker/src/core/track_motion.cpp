@@ -5,6 +5,7 @@
 
 #include <tws_core/angles.h>
 #include <tws_core/refraction.h>
+#include "core/flat_place.h"
 #include "core/rate_evidence.h"
 
 namespace adit_tracker {
@@ -339,10 +340,8 @@ double TrackMotion::squaredDistance(const Track& track, const tws::Plot& plot, d
     const HeightGuess& guess = track.height_guess;
     z = guess.against(
         there.placeOf(plot.range, plot.azimuth, range_sigma, azimuth_sigma, static_cast<double>(guess.height)));
-  } else {  // of one site, heights are alike, and slant range lies on the plane
-    z = tws::planarMeasurement(plot.range, site.onPlane(plot.azimuth), range_sigma, azimuth_sigma);
-    z.x += site.x;
-    z.y += site.y;
+  } else {
+    z = flatPlace(site, plot, range_sigma, azimuth_sigma);
   }
   tws::PlanarPosition there;
   if (const auto* turning = std::get_if<tws::MultipleModelFilter>(&track.filter)) {
