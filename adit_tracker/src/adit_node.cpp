@@ -184,10 +184,12 @@ class AditNode::Impl {
       message.tracks.push_back(trackMessage(*adit_, update, origin()));
     }
     tracks_.publish(message);
-    if (message.sector == 0) publishClutter(report);
-    if (report.running % (kMapScans * tws::kSectors) == 0) publishRadarMap(report);
-    if (report.radar == adit_->radars().reference() && report.running % kRegistrationSectors == 0)
-      publishRegistration(report);
+    const std::string& site = inputs_.frame(report.radar);
+    if (message.sector == 0) say(clutter_, clutterMessage(*adit_), report, site);
+    if (report.running % (kMapScans * tws::kSectors) == 0)
+      say(maps_, radarMapMessage(*adit_, report.radar), report, site);
+    const bool due = report.radar == adit_->radars().reference() && report.running % kRegistrationSectors == 0;
+    if (due && adit_->learnsRegistration()) say(registration_, registrationMessage(*adit_), report, params_.frame);
     elevation_.afterSector(*adit_, report);
     if (endsStatus(report)) status_due_ = report.enter_time;
   }
@@ -199,30 +201,14 @@ class AditNode::Impl {
     fates_.publish(message);
   }
 
-  /// Once a turn of each radar.
-  void publishClutter(const SectorReport& report) {
-    tws_msgs::ClutterMap message = clutterMessage(*adit_);
+  /// What a sector's end brings, in that frame.
+  template <class Message>
+  void say(tws_runtime::Publisher<Message>& publisher, Message message, const SectorReport& report,
+           const std::string& frame) {
     message.header.stamp = tws_runtime::toTime(report.enter_time);
-    message.header.frame_id = inputs_.frame(report.radar);
+    message.header.frame_id = frame;
     message.tracker = bus_.name();
-    clutter_.publish(message);
-  }
-
-  void publishRadarMap(const SectorReport& report) {
-    tws_msgs::RadarMap message = radarMapMessage(*adit_, report.radar);
-    message.header.stamp = tws_runtime::toTime(report.enter_time);
-    message.header.frame_id = inputs_.frame(report.radar);
-    message.tracker = bus_.name();
-    maps_.publish(message);
-  }
-
-  void publishRegistration(const SectorReport& report) {
-    if (!adit_->learnsRegistration()) return;
-    tws_msgs::Registration message = registrationMessage(*adit_);
-    message.header.stamp = tws_runtime::toTime(report.enter_time);
-    message.header.frame_id = params_.frame;
-    message.tracker = bus_.name();
-    registration_.publish(message);
+    publisher.publish(message);
   }
 
   NodeState state(ros::Time now) {
