@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include <tws_core/geometry.h>
+#include <tws_core/registration.h>
 #include <tws_core/sectors.h>
 #include <tws_core/units.h>
 
@@ -135,10 +136,10 @@ IdentityPlot identityPlot(const tws_msgs::SsrPlot& plot, const PlanarFrame& site
 
 std::string alignmentText(const tws_msgs::RadarRegistration& radar) {
   using tws_msgs::RadarRegistration;
-  constexpr std::size_t kRange = 0, kAzimuth = 2, kClock = 5;  // in the message
   for (const double applied : radar.applied) requireFinite(applied, "applied");
   if (radar.state == RadarRegistration::TOO_LARGE) return "errors too large";
-  const double terms[] = {radar.applied[kRange], tws::degrees(radar.applied[kAzimuth]), radar.applied[kClock]};
+  const double terms[] = {radar.applied[tws::kRangeBias], tws::degrees(radar.applied[tws::kAzimuthBias]),
+                          radar.applied[tws::kClockOffset]};
   constexpr const char* kFormats[] = {"%+.0f m", "%+.2f deg", "%+.2f s"};
   constexpr double kShown[] = {1.0, 0.01, 0.01};  // less is not worth a word
   std::string said = radar.state == RadarRegistration::DRIFTING ? "drifts" : "";

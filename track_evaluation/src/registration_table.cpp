@@ -6,9 +6,12 @@
 #include <tws_runtime/conversions.h>
 
 #include <algorithm>
-#include <cmath>
+#include <array>
 #include <cstdio>
+#include <iomanip>
 #include <ostream>
+
+#include <tws_core/registration.h>
 
 namespace track_evaluation {
 namespace {
@@ -22,8 +25,9 @@ struct Shown {
 };
 
 std::array<Shown, 3> shownOf(const RadarRegistration& radar) {
-  return {Shown{"range_m", radar.range_bias, 0}, Shown{"azimuth_rad", radar.azimuth_bias, 2},
-          Shown{"clock_s", radar.clock_offset, 5}};
+  return {Shown{"range_m", radar.range_bias, tws::kRangeBias},
+          Shown{"azimuth_rad", radar.azimuth_bias, tws::kAzimuthBias},
+          Shown{"clock_s", radar.clock_offset, tws::kClockOffset}};
 }
 
 void writeHead(std::ostream& out) {
@@ -34,19 +38,18 @@ void writeHead(std::ostream& out) {
 }
 
 /// A name from a bag ends no field and no line.
-std::string quoted(const std::string& name) {
-  std::string text = "\"";
-  for (const char c : name) {
-    if (c == '"') text += '"';
-    text += c == '\n' || c == '\r' ? ' ' : c;
-  }
-  return text + '"';
+void writeName(std::ostream& out, std::string name) {
+  const auto breaks = [](char c) { return c == '\n' || c == '\r'; };
+  std::replace_if(name.begin(), name.end(), breaks, ' ');
+  out << std::quoted(name, '"', '"');
 }
 
 void writeRow(std::ostream& out, const tws_msgs::Registration& message, const RadarRegistration& radar) {
   char text[80];
   std::snprintf(text, sizeof text, ",%.4f,", tws_runtime::toSeconds(message.header.stamp));
-  out << quoted(message.tracker) << text << quoted(radar.radar);
+  writeName(out, message.tracker);
+  out << text;
+  writeName(out, radar.radar);
   std::snprintf(text, sizeof text, ",%u,%u", unsigned{radar.state}, unsigned{radar.relative_only});
   out << text;
   for (const Shown& shown : shownOf(radar)) {
